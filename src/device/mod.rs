@@ -1,0 +1,106 @@
+//! Where batches run: the embedded CPU executor or wgpu compute.
+
+use crate::draw::Batch;
+
+/// Storage of a colour pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ColorFormat {
+    /// One word, red in the low byte.
+    Rgba8,
+    /// Like `Rgba8`; alpha reads as 1 whatever is written.
+    Rgbx8,
+    /// One word: 5 bits red (low), 6 green, 5 blue.
+    Rgb565,
+    /// Two words, 16 bits a component.
+    Rgba16,
+    /// Four words, f32.
+    Rgba32f,
+}
+
+impl ColorFormat {
+    /// Words a pixel.
+    pub fn words(self) -> usize {
+        match self {
+            ColorFormat::Rgba8 | ColorFormat::Rgbx8 | ColorFormat::Rgb565 => 1,
+            ColorFormat::Rgba16 => 2,
+            ColorFormat::Rgba32f => 4,
+        }
+    }
+}
+
+/// Storage of depth: a word a pixel, depth in the low 24 bits, stencil in the high 8.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum DepthFormat {
+    /// No depth buffer.
+    None,
+    /// 16 bits.
+    D16,
+    /// 24 bits.
+    D24,
+}
+
+impl DepthFormat {
+    /// Bits of depth.
+    pub fn bits(self) -> u32 {
+        match self {
+            DepthFormat::None => 0,
+            DepthFormat::D16 => 16,
+            DepthFormat::D24 => 24,
+        }
+    }
+}
+
+/// What a surface stores.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct SurfaceFormat {
+    /// Colour.
+    pub color: ColorFormat,
+    /// Depth.
+    pub depth: DepthFormat,
+    /// 8 bits of stencil are there.
+    pub stencil: bool,
+    /// Row 0 is the top row (window surfaces); otherwise the bottom row (framebuffer objects).
+    pub top_first: bool,
+}
+
+/// The pixels of a surface in host memory, row 0 first.
+#[derive(Clone, Debug)]
+pub struct Pixels {
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Storage.
+    pub format: SurfaceFormat,
+    /// `width * height * format.color.words()` words.
+    pub color: Vec<u32>,
+    /// `width * height` words (empty without depth and stencil): depth in the low 24 bits, stencil in the high 8.
+    pub depth_stencil: Vec<u32>,
+}
+
+impl Pixels {
+    /// Zeroed pixels.
+    pub fn new(width: u32, height: u32, format: SurfaceFormat) -> Pixels {
+        let n = width as usize * height as usize;
+        let ds = format.depth != DepthFormat::None || format.stencil;
+        Pixels { width, height, format, color: vec![0; n * format.color.words()], depth_stencil: vec![0; if ds { n } else { 0 }] }
+    }
+}
+
+/// A colour, depth and stencil buffer of one size, and the device that draws on it.
+pub trait Surface: Send {
+    /// Runs a batch. May return before it is finished; `pixels` waits.
+    fn execute(&mut self, batch: Batch);
+    /// The pixels after all batches so far, to read.
+    fn pixels(&mut self) -> &Pixels;
+    /// The same, to change.
+    fn pixels_mut(&mut self) -> &mut Pixels;
+}
+
+/// Makes surfaces.
+pub trait Device: Send + Sync {
+    /// What it is, for GL_RENDERER and the log: "CPU, 2 threads, AVX2".
+    fn name(&self) -> String;
+    /// A new surface with zeroed pixels.
+    fn surface(&self, width: u32, height: u32, format: SurfaceFormat) -> Box<dyn Surface>;
+}

@@ -1,0 +1,100 @@
+//! Vertex and fragment programs: one representation, two executors.
+//!
+//! A program is a naga module. The fixed-function generator ([`fixed`]) writes it as WGSL from a compact key; the GPU
+//! splices the text into its kernels, the CPU executes the same module over many lanes at once ([`lanes`]).
+//!
+//! # The conventions of a module
+//! ```wgsl
+//! @group(0) @binding(0) var<storage, read> uniforms: array<vec4<f32>>;
+//! fn texture_sample(slot: u32, coord: vec4<f32>, ddx: vec4<f32>, ddy: vec4<f32>) -> vec4<f32>   // intrinsic
+//! struct VertexIn { a0: vec4<f32>, a3: vec4<f32>, ... }             // the attributes it reads, by slot number
+//! struct VertexOut { position: vec4<f32>, o0: vec4<f32>, ... }      // `outputs`, in their order
+//! fn vertex_main(in: VertexIn, base: u32) -> VertexOut              // `base`: first vec4 of its uniform block
+//! struct FragmentIn { i0: vec4<f32>, i1: vec4<f32>, ... }           // `inputs`, in their order
+//! struct FragmentOut { color: vec4<f32>, depth: f32, keep: bool }   // depth only if it writes depth, keep only if it discards
+//! fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut
+//! ```
+
+pub mod lanes;
+
+/// A vec4 that a vertex program hands to the later stages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[allow(missing_docs)]
+pub enum Output {
+    FrontColor,
+    FrontSecondary,
+    BackColor,
+    BackSecondary,
+    /// Fog coordinate in x.
+    Fog,
+    TexCoord(u8),
+    /// Four user clip distances: 0 to 3, 4 to 7.
+    ClipDistance(u8),
+    /// Point size in x.
+    PointSize,
+    /// Eye coordinates.
+    Eye,
+    /// A varying of a GLSL program.
+    Generic(u8),
+}
+
+/// A vec4 that a fragment program reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Input {
+    /// Raster-space x, y of the pixel centre, z, 1/w.
+    Position,
+    /// x: 1 for front-facing, else 0.
+    Facing,
+    /// Varying `k` of [`Program::varyings`].
+    Varying(u8),
+    /// Varying `k` at a pixel of the 2 x 2 quad that the fragment belongs to: 0 its origin (even x, even y), 1 the
+    /// next in x, 2 the next in y. Differences of these are the derivatives; evaluated from the planes, without helper pixels.
+    Quad(u8, u8),
+}
+
+/// A varying as a fragment program wants it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Varying {
+    /// Which vertex output, on front faces.
+    pub front: Output,
+    /// Which one on back faces.
+    pub back: Output,
+    /// `layout::interpolation::*`
+    pub interpolation: u32,
+}
+
+/// Which stage a program belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Stage {
+    Vertex,
+    Fragment,
+}
+
+/// A program, ready for both executors.
+pub struct Program {
+    /// Unique over the process: equal ids are equal programs.
+    pub id: u64,
+    /// Stage.
+    pub stage: Stage,
+    /// The text that the kernels splice in.
+    pub wgsl: String,
+    /// The same, parsed and validated.
+    pub module: naga::Module,
+    /// Vertex: the attributes read, as a mask of slots.
+    pub attributes: u32,
+    /// Vertex: what follows the position in a shaded vertex, in this order.
+    pub outputs: Vec<Output>,
+    /// Fragment: the inputs, in this order.
+    pub inputs: Vec<Input>,
+    /// Fragment: the varyings, in this order.
+    pub varyings: Vec<Varying>,
+    /// Fragment: texture slots used.
+    pub texture_slots: u32,
+    /// Fragment: it writes depth.
+    pub writes_depth: bool,
+    /// Fragment: it may discard.
+    pub discards: bool,
+    /// vec4 of its uniform block.
+    pub uniform_vec4: u32,
+}
