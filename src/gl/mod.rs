@@ -36,7 +36,29 @@ pub struct Context {
     pub device: Arc<dyn Device>,
     /// The window buffer, once the context was made current with one.
     pub window: Option<Box<dyn Surface>>,
+    /// Groups of state that changed since the derived state was last computed: `dirty::*`.
+    pub dirty: u32,
     error: GLenum,
+}
+
+/// Bits of [`Context::dirty`]. A setter marks its group; [`derived`](self) recomputes what depends on it.
+pub mod dirty {
+    /// Any matrix, viewport, depth range.
+    pub const TRANSFORM: u32 = 1;
+    /// Lights, materials, light model, normalisation, colour material, shade model.
+    pub const LIGHTING: u32 = 1 << 1;
+    /// Texture objects, environment, texgen, enables.
+    pub const TEXTURE: u32 = 1 << 2;
+    /// Fog.
+    pub const FOG: u32 = 1 << 3;
+    /// Points, lines, polygons, clip planes, scissor, stipples.
+    pub const RASTER: u32 = 1 << 4;
+    /// Alpha test to colour mask.
+    pub const FRAGMENT: u32 = 1 << 5;
+    /// The surface or its size.
+    pub const SURFACE: u32 = 1 << 6;
+    /// All of them.
+    pub const ALL: u32 = !0;
 }
 
 /// Objects that contexts of one share group see.
@@ -51,4 +73,17 @@ impl Context {
             self.error = error;
         }
     }
+
+    /// Records a command into the display list under construction. True: it was compiled only, the caller returns.
+    pub(crate) fn compile(&mut self, _command: impl Fn(&mut Context) + Send + Sync + 'static) -> bool {
+        false
+    }
+
+    /// True between Begin and End, after recording GL_INVALID_OPERATION.
+    pub(crate) fn inside_begin_end(&mut self) -> bool {
+        false
+    }
+
+    /// Runs what was recorded so far, so that the window's pixels are up to date.
+    pub(crate) fn flush_batch(&mut self) {}
 }
