@@ -22,7 +22,8 @@ pub struct TextureLevel {
     /// Depth in texels, 1 for 1D and 2D; 6 faces for cube maps.
     pub depth: u32,
     /// Texels, x fastest, then y, then z; [`TexelFormat`] says how many words each.
-    pub texels: Vec<u32>,
+    /// Shared with the GL object, which copies before it writes while a batch still holds them.
+    pub texels: Arc<Vec<u32>>,
 }
 
 /// What kind of texture.
