@@ -8,6 +8,7 @@ use std::sync::Arc;
 use crate::program::Program;
 use crate::raster::layout::{DrawRecord, FragmentState, Primitive, RasterState};
 
+pub mod recorder;
 pub mod texture;
 
 use texture::TextureBinding;

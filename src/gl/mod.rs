@@ -11,12 +11,16 @@
 //! ```
 //! and one that is not allowed between Begin and End with `if self.inside_begin_end() { return; }` (which sets the error).
 
+pub mod begin_end;
 pub mod enums;
+pub mod list;
 pub mod state;
 
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, MutexGuard};
 
-use crate::device::{Device, Surface};
+use crate::device::{ColorFormat, DepthFormat, Device, Surface, SurfaceFormat};
+use crate::draw::recorder::Recorder;
+use begin_end::Immediate;
 use enums::*;
 use state::{MatrixStack, State};
 
@@ -36,9 +40,50 @@ pub struct Context {
     pub device: Arc<dyn Device>,
     /// The window buffer, once the context was made current with one.
     pub window: Option<Box<dyn Surface>>,
+    /// Width and height of the window buffer, zero without one.
+    pub window_size: [u32; 2],
+    /// What the context was made for.
+    pub config: ContextConfig,
+    /// GL_RENDER, GL_SELECT or GL_FEEDBACK.
+    pub render_mode: GLenum,
     /// Groups of state that changed since the derived state was last computed: `dirty::*`.
     pub dirty: u32,
+    /// The batch under construction.
+    pub recorder: Recorder,
+    pub(crate) immediate: Immediate,
+    pub(crate) lists: list::ListState,
     error: GLenum,
+}
+
+/// What a context's window buffers store.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ContextConfig {
+    /// Colour storage.
+    pub color: ColorFormat,
+    /// Bits of depth: 0, 16, else 24.
+    pub depth_bits: u32,
+    /// Bits of stencil: 0, else 8.
+    pub stencil_bits: u32,
+    /// Bits of accumulation a component: 0, else 16.
+    pub accum_bits: u32,
+}
+
+impl Default for ContextConfig {
+    fn default() -> ContextConfig {
+        ContextConfig { color: ColorFormat::Rgba8, depth_bits: 24, stencil_bits: 8, accum_bits: 0 }
+    }
+}
+
+impl ContextConfig {
+    /// Storage of a window surface.
+    pub fn surface_format(&self) -> SurfaceFormat {
+        let depth = match self.depth_bits {
+            0 => DepthFormat::None,
+            1..=16 => DepthFormat::D16,
+            _ => DepthFormat::D24,
+        };
+        SurfaceFormat { color: self.color, depth, stencil: self.stencil_bits > 0, top_first: true }
+    }
 }
 
 /// Bits of [`Context::dirty`]. A setter marks its group; [`derived`](self) recomputes what depends on it.
@@ -63,9 +108,55 @@ pub mod dirty {
 
 /// Objects that contexts of one share group see.
 #[derive(Default)]
-pub struct Shared {}
+pub struct Shared {
+    /// Display lists by name; `None` for a name that GenLists reserved.
+    pub lists: std::collections::HashMap<u32, Option<Arc<list::List>>>,
+}
 
 impl Context {
+    /// A context in the initial state of the specification. Objects are shared with `share`, if given.
+    pub fn new(config: ContextConfig, share: Option<&Context>) -> Context {
+        let device = match share {
+            Some(other) => other.device.clone(),
+            None => crate::device::choose(),
+        };
+        Context {
+            state: State::default(),
+            modelview: MatrixStack::new(state::MODELVIEW_STACK_DEPTH),
+            projection: MatrixStack::new(state::PROJECTION_STACK_DEPTH),
+            texture_matrices: (0..state::MAX_TEXTURE_UNITS).map(|_| MatrixStack::new(state::TEXTURE_STACK_DEPTH)).collect(),
+            shared: share.map_or_else(Default::default, |other| other.shared.clone()),
+            device,
+            window: None,
+            window_size: [0, 0],
+            config,
+            render_mode: GL_RENDER,
+            dirty: dirty::ALL,
+            recorder: Recorder::new(),
+            immediate: Immediate::default(),
+            lists: list::ListState::default(),
+            error: GL_NO_ERROR,
+        }
+    }
+
+    /// Gives the context a window buffer of this size. The first one sets viewport and scissor to it (2.11.1, 4.1.2); another
+    /// size makes a new, zeroed surface and keeps all state; the same size keeps the surface.
+    pub fn attach_window(&mut self, width: u32, height: u32) {
+        let first = self.window.is_none();
+        if first {
+            let (w, h) = (width as i32, height as i32);
+            let (viewport, scissor) = (&mut self.state.viewport, &mut self.state.scissor);
+            (viewport.x, viewport.y, viewport.width, viewport.height) = (0, 0, w, h);
+            (scissor.x, scissor.y, scissor.width, scissor.height) = (0, 0, w, h);
+        }
+        if first || self.window_size != [width, height] {
+            self.flush_batch();
+            self.window = Some(self.device.surface(width, height, self.config.surface_format()));
+            self.window_size = [width, height];
+            self.dirty = dirty::ALL;
+        }
+    }
+
     /// Records an error; the first one stays until it is read (2.5).
     pub fn set_error(&mut self, error: GLenum, what: &str) {
         log::debug!(target: "tepui::gl", "{what}: GL error {error:#06x}");
@@ -74,16 +165,34 @@ impl Context {
         }
     }
 
-    /// Records a command into the display list under construction. True: it was compiled only, the caller returns.
-    pub(crate) fn compile(&mut self, _command: impl Fn(&mut Context) + Send + Sync + 'static) -> bool {
-        false
+    /// glGetError: the first error since the last call.
+    pub fn get_error(&mut self) -> GLenum {
+        if self.inside_begin_end() {
+            return 0;
+        }
+        std::mem::replace(&mut self.error, GL_NO_ERROR)
+    }
+
+    /// The objects of the share group, locked.
+    pub fn shared(&self) -> MutexGuard<'_, Shared> {
+        self.shared.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
     }
 
     /// True between Begin and End, after recording GL_INVALID_OPERATION.
+    #[inline]
     pub(crate) fn inside_begin_end(&mut self) -> bool {
+        if self.immediate.is_inside() {
+            self.set_error(GL_INVALID_OPERATION, "a command that is not allowed between glBegin and glEnd");
+            return true;
+        }
         false
     }
 
     /// Runs what was recorded so far, so that the window's pixels are up to date.
-    pub(crate) fn flush_batch(&mut self) {}
+    pub(crate) fn flush_batch(&mut self) {
+        let Some(batch) = self.recorder.take() else { return };
+        if let Some(window) = &mut self.window {
+            window.execute(batch);
+        }
+    }
 }

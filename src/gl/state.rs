@@ -455,7 +455,15 @@ impl Default for Material {
 
 impl Default for StencilSide {
     fn default() -> StencilSide {
-        StencilSide { func: GL_ALWAYS, reference: 0, value_mask: !0, write_mask: !0, fail: GL_KEEP, depth_fail: GL_KEEP, depth_pass: GL_KEEP }
+        StencilSide {
+            func: GL_ALWAYS,
+            reference: 0,
+            value_mask: !0,
+            write_mask: !0,
+            fail: GL_KEEP,
+            depth_fail: GL_KEEP,
+            depth_pass: GL_KEEP,
+        }
     }
 }
 
@@ -487,7 +495,16 @@ impl Default for TextureUnit {
 
 impl Default for PixelStore {
     fn default() -> PixelStore {
-        PixelStore { swap_bytes: false, lsb_first: false, row_length: 0, image_height: 0, skip_rows: 0, skip_pixels: 0, skip_images: 0, alignment: 4 }
+        PixelStore {
+            swap_bytes: false,
+            lsb_first: false,
+            row_length: 0,
+            image_height: 0,
+            skip_rows: 0,
+            skip_pixels: 0,
+            skip_images: 0,
+            alignment: 4,
+        }
     }
 }
 
@@ -566,7 +583,16 @@ impl Default for State {
                 shade_model: GL_SMOOTH,
                 color_sum: false,
             },
-            fog: FogState { enabled: false, mode: GL_EXP, color: [0.0; 4], density: 1.0, start: 0.0, end: 1.0, index: 0.0, coord_source: GL_FRAGMENT_DEPTH },
+            fog: FogState {
+                enabled: false,
+                mode: GL_EXP,
+                color: [0.0; 4],
+                density: 1.0,
+                start: 0.0,
+                end: 1.0,
+                index: 0.0,
+                coord_source: GL_FRAGMENT_DEPTH,
+            },
             depth: DepthState { test: false, func: GL_LESS, write: true, clear: 1.0 },
             accum_clear: [0.0; 4],
             stencil: StencilState { test: false, sides: Default::default(), clear: 0 },

@@ -44,12 +44,26 @@ pub struct Machine {}
 impl Machine {
     /// Runs a vertex program over `groups` groups. `inputs[i]` is attribute slot `i` (only those that the program
     /// reads need to be filled); `outputs[0]` becomes the clip position, `outputs[1 + k]` is `program.outputs[k]`.
-    pub fn run_vertex(&mut self, _program: &Program, _env: &Environment, _inputs: &[Column4; 16], _outputs: &mut [Column4], _groups: usize) {
+    pub fn run_vertex(
+        &mut self,
+        _program: &Program,
+        _env: &Environment,
+        _inputs: &[Column4; 16],
+        _outputs: &mut [Column4],
+        _groups: usize,
+    ) {
         unimplemented!("the lane executor")
     }
 
     /// Runs a fragment program over `groups` groups. `inputs[k]` is `program.inputs[k]`.
-    pub fn run_fragment(&mut self, _program: &Program, _env: &Environment, _inputs: &[Column4], _results: &mut FragmentResults, _groups: usize) {
+    pub fn run_fragment(
+        &mut self,
+        _program: &Program,
+        _env: &Environment,
+        _inputs: &[Column4],
+        _results: &mut FragmentResults,
+        _groups: usize,
+    ) {
         unimplemented!("the lane executor")
     }
 }
