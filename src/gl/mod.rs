@@ -14,6 +14,8 @@
 pub mod begin_end;
 pub mod enums;
 pub mod list;
+pub mod pixel_format;
+pub mod pixel_store;
 pub mod state;
 
 use std::sync::{Arc, Mutex, MutexGuard};
