@@ -12,11 +12,23 @@
 //! and one that is not allowed between Begin and End with `if self.inside_begin_end() { return; }` (which sets the error).
 
 pub mod begin_end;
+pub mod blending;
+pub(crate) mod checks;
+pub mod clip_plane;
+pub mod enable;
 pub mod enums;
+pub mod fog;
+pub mod fragment_operations;
+pub mod lighting;
 pub mod list;
 pub mod pixel_format;
 pub mod pixel_store;
+pub mod points_lines_polygons;
+pub mod query;
+pub mod query_table;
 pub mod state;
+pub mod texenv;
+pub mod texgen;
 
 use std::sync::{Arc, Mutex, MutexGuard};
 
