@@ -59,7 +59,7 @@ impl Context {
     }
 
     /// Where a capability is kept and which group it belongs to.
-    fn capability(&mut self, cap: GLenum) -> Option<(&mut bool, u32)> {
+    pub(crate) fn capability(&mut self, cap: GLenum) -> Option<(&mut bool, u32)> {
         let s = &mut self.state;
         let unit = &mut s.texture.units[s.texture.active];
         Some(match cap {

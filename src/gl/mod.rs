@@ -11,6 +11,7 @@
 //! ```
 //! and one that is not allowed between Begin and End with `if self.inside_begin_end() { return; }` (which sets the error).
 
+pub mod attrib_stack;
 pub mod begin_end;
 pub mod blending;
 pub(crate) mod checks;
@@ -24,9 +25,11 @@ pub mod list;
 pub mod pixel_format;
 pub mod pixel_store;
 pub mod points_lines_polygons;
+pub mod polygon_stipple;
 pub mod query;
 pub mod query_table;
 pub mod state;
+pub mod strings;
 pub mod texenv;
 pub mod texgen;
 
@@ -66,6 +69,9 @@ pub struct Context {
     pub recorder: Recorder,
     pub(crate) immediate: Immediate,
     pub(crate) lists: list::ListState,
+    attrib_stack: Vec<attrib_stack::SavedAttributes>,
+    /// GL_RENDERER, once asked for.
+    renderer: Option<std::ffi::CString>,
     error: GLenum,
 }
 
@@ -149,6 +155,8 @@ impl Context {
             recorder: Recorder::new(),
             immediate: Immediate::default(),
             lists: list::ListState::default(),
+            attrib_stack: Vec::new(),
+            renderer: None,
             error: GL_NO_ERROR,
         }
     }

@@ -84,6 +84,7 @@ impl Context {
             GL_MAP2_GRID_DOMAIN => Value::floats(&s.eval.grid2_domain),
             GL_MAP2_GRID_SEGMENTS => Value::ints(&s.eval.grid2_divisions),
             GL_LIST_BASE => Value::int(s.list_base),
+            GL_ATTRIB_STACK_DEPTH => Value::int(self.attrib_stack.len() as i64),
             GL_RENDER_MODE => Value::int(self.render_mode),
             _ => return None,
         })
