@@ -1,1 +1,79 @@
-fn main() {}
+//! The comparison: C scene programs run on Mesa's OSMesa and on Tepui, in processes of their own, and what comes out
+//! is compared pixel by pixel, with the times of both.
+#![warn(missing_docs)]
+
+mod bench;
+mod build;
+mod compare;
+mod expectations;
+mod flip;
+mod frame;
+mod order;
+mod report;
+mod runner;
+mod start;
+mod timing;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand, ValueEnum};
+
+/// Any error that ends the program.
+pub type Error = Box<dyn std::error::Error>;
+
+/// Compares Tepui with Mesa's OSMesa.
+#[derive(Parser)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+/// Which of Tepui's executors to look at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Devices {
+    /// The embedded CPU executor.
+    Cpu,
+    /// The kernels, on any Vulkan device that is there.
+    Gpu,
+    /// Both.
+    Both,
+}
+
+impl Devices {
+    fn cpu(self) -> bool {
+        self != Devices::Gpu
+    }
+
+    fn gpu(self) -> bool {
+        self != Devices::Cpu
+    }
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Every scene on every implementation; writes report/index.html and report/report.json.
+    Compare(compare::Options),
+    /// The timing scenes, interleaved; prints tables of ratios.
+    Bench(bench::Options),
+    /// 10,000 blended triangles, many runs, thread counts and SIMD levels: the same bits.
+    Order(order::Options),
+    /// Time from process start to the first frame.
+    Start(start::Options),
+}
+
+fn main() -> ExitCode {
+    let outcome = match Arguments::parse().command {
+        Command::Compare(options) => compare::main(&options),
+        Command::Bench(options) => bench::main(&options),
+        Command::Order(options) => order::main(&options),
+        Command::Start(options) => start::main(&options),
+    };
+    match outcome {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(why) => {
+            eprintln!("tepui-conformance: {why}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,216 @@
+/* Runs scenes on whatever OpenGL it is linked with, through the OSMesa interface, and serves them over stdin/stdout.
+ *
+ * The same source is built against Mesa's OSMesa and against Tepui. Commands, one a line; every answer ends with a line
+ * "done" or "error <why>":
+ *   list                  one line a scene: name <tab> class <tab> width <tab> height <tab> flags <tab> what it proves
+ *   about                 GL_VENDOR, GL_RENDERER, GL_VERSION of a small context
+ *   run <scene> <prefix>  draws once; writes <prefix>.color (RGBA8, bottom row first), .depth (u32, native units),
+ *                         .stencil (u8), .text, .meta (width height depth-bits clear colour clear depth error)
+ *   open <scene>          makes the context of a timing
+ *   frame                 draws once more in it and prints "ms <milliseconds>", drawing and glFinish
+ *   close                 ends it
+ * Called with `--first-frame`, it draws one lit triangle and exits: the time to the first frame is the process's. */
+#include "scene.h"
+#include <GL/osmesa.h>
+#include <stdarg.h>
+#include <time.h>
+#include <unistd.h>
+
+static struct scene *scenes;
+static FILE *text_file;
+
+void scene_register(struct scene *scene)
+{
+    struct scene **at = &scenes;
+    while (*at && strcmp((*at)->name, scene->name) < 0) at = &(*at)->next;
+    scene->next = *at;
+    *at = scene;
+}
+
+void text(const char *format, ...)
+{
+    va_list args;
+    if (!text_file) return;
+    va_start(args, format);
+    vfprintf(text_file, format, args);
+    va_end(args);
+    fputc('\n', text_file);
+}
+
+static double milliseconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+struct target {
+    OSMesaContext context;
+    unsigned char *color;
+    int width, height, depth_bits;
+};
+
+static const char *target_open(struct target *t, const struct scene *s)
+{
+    t->width = s->width;
+    t->height = s->height;
+    t->depth_bits = s->flags & DEPTH16 ? 16 : 24;
+    t->color = calloc((size_t)s->width * s->height, 4);
+    t->context = OSMesaCreateContextExt(OSMESA_RGBA, t->depth_bits, 8, s->flags & ACCUM ? 16 : 0, NULL);
+    if (!t->context) return "no context";
+    if (!OSMesaMakeCurrent(t->context, t->color, GL_UNSIGNED_BYTE, s->width, s->height)) return "MakeCurrent failed";
+    return NULL;
+}
+
+static void target_close(struct target *t)
+{
+    OSMesaMakeCurrent(NULL, NULL, 0, 0, 0);
+    if (t->context) OSMesaDestroyContext(t->context);
+    free(t->color);
+    memset(t, 0, sizeof *t);
+}
+
+static void draw_once(const struct scene *s)
+{
+    glClearColor(0.1f, 0.1f, 0.15f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    s->draw(s->width, s->height);
+    glFinish();
+}
+
+/* A scene may leave pixel store, transfer and maps in any state. */
+static void plain_reads(void)
+{
+    static const GLenum zero[] = {GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS};
+    for (int i = 0; i < 5; i++) glPixelStorei(zero[i], 0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelTransferf(GL_DEPTH_SCALE, 1);
+    glPixelTransferf(GL_DEPTH_BIAS, 0);
+    glPixelTransferi(GL_INDEX_SHIFT, 0);
+    glPixelTransferi(GL_INDEX_OFFSET, 0);
+    glPixelTransferi(GL_MAP_STENCIL, GL_FALSE);
+}
+
+static int dump(const char *prefix, const char *suffix, const void *data, size_t size)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s.%s", prefix, suffix);
+    FILE *f = fopen(path, "wb");
+    if (!f) return 0;
+    size_t written = fwrite(data, 1, size, f);
+    return fclose(f) == 0 && written == size;
+}
+
+static const char *run(const struct scene *s, const char *prefix)
+{
+    struct target t = {0};
+    char path[4096], meta[512];
+    const char *why = target_open(&t, s);
+    if (why) return why;
+    snprintf(path, sizeof path, "%s.text", prefix);
+    text_file = fopen(path, "w");
+    draw_once(s);
+    if (text_file) fclose(text_file);
+    text_file = NULL;
+    GLenum error = glGetError();
+    size_t n = (size_t)s->width * s->height;
+    GLuint *depth = calloc(n, 4);
+    unsigned char *stencil = calloc(n, 1);
+    plain_reads();
+    glReadPixels(0, 0, s->width, s->height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth);
+    for (size_t i = 0; i < n; i++) depth[i] >>= 32 - t.depth_bits;
+    glReadPixels(0, 0, s->width, s->height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencil);
+    GLfloat c[4] = {0}, z = 1;
+    glGetFloatv(GL_COLOR_CLEAR_VALUE, c);
+    glGetFloatv(GL_DEPTH_CLEAR_VALUE, &z);
+    snprintf(meta, sizeof meta, "%d %d %d %.9g %.9g %.9g %.9g %.9g %s\n", s->width, s->height, t.depth_bits, c[0], c[1], c[2], c[3], z,
+             error_name(error));
+    int ok = dump(prefix, "color", t.color, n * 4) && dump(prefix, "depth", depth, n * 4) && dump(prefix, "stencil", stencil, n) &&
+             dump(prefix, "meta", meta, strlen(meta));
+    free(depth);
+    free(stencil);
+    target_close(&t);
+    return ok ? NULL : "cannot write the results";
+}
+
+static const struct scene *find(const char *name)
+{
+    for (const struct scene *s = scenes; s; s = s->next)
+        if (!strcmp(s->name, name)) return s;
+    return NULL;
+}
+
+static const char *about(void)
+{
+    static const struct scene small = {.name = "about", .width = 16, .height = 16};
+    struct target t = {0};
+    const char *why = target_open(&t, &small);
+    if (why) return why;
+    printf("%s | %s | %s\n", (const char *)glGetString(GL_VENDOR), (const char *)glGetString(GL_RENDERER), (const char *)glGetString(GL_VERSION));
+    target_close(&t);
+    return NULL;
+}
+
+/* What a program does that starts, draws one frame and shows it. */
+static int first_frame(void)
+{
+    static const struct scene small = {.name = "first", .width = 256, .height = 256};
+    struct target t = {0};
+    if (target_open(&t, &small)) return 1;
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_LIGHTING);
+    glEnable(GL_LIGHT0);
+    glBegin(GL_TRIANGLES);
+    glNormal3f(0, 0, 1);
+    glVertex2f(-0.8f, -0.8f), glVertex2f(0.8f, -0.8f), glVertex2f(0, 0.8f);
+    glEnd();
+    glFinish();
+    int drawn = t.color[(128 * 256 + 128) * 4] != 0;
+    target_close(&t);
+    return drawn ? 0 : 2;
+}
+
+int main(int argc, char **argv)
+{
+    static char line[8192];
+    struct target open_target = {0};
+    const struct scene *open_scene = NULL;
+    if (argc > 1 && !strcmp(argv[1], "--first-frame")) return first_frame();
+    while (fgets(line, sizeof line, stdin)) {
+        char *command = strtok(line, " \n"), *name = strtok(NULL, " \n"), *prefix = strtok(NULL, "\n");
+        const struct scene *s = name ? find(name) : NULL;
+        const char *why = NULL;
+        if (!command) continue;
+        if (!strcmp(command, "list")) {
+            static const char *const classes[] = {"exact", "shaded", "other"};
+            for (s = scenes; s; s = s->next)
+                printf("%s\t%s\t%d\t%d\t%u\t%s\n", s->name, classes[s->klass], s->width, s->height, s->flags, s->proves);
+        } else if (!strcmp(command, "about")) {
+            why = about();
+        } else if (!strcmp(command, "run")) {
+            why = !s ? "no such scene" : !prefix ? "no prefix" : run(s, prefix);
+        } else if (!strcmp(command, "open")) {
+            if (open_scene) target_close(&open_target);
+            open_scene = s;
+            why = s ? target_open(&open_target, s) : "no such scene";
+        } else if (!strcmp(command, "frame")) {
+            if (open_scene) {
+                double start = milliseconds();
+                draw_once(open_scene);
+                printf("ms %.6f\n", milliseconds() - start);
+            } else {
+                why = "nothing is open";
+            }
+        } else if (!strcmp(command, "close")) {
+            if (open_scene) target_close(&open_target);
+            open_scene = NULL;
+        } else {
+            why = "unknown command";
+        }
+        if (why) printf("error %s\n", why);
+        else printf("done\n");
+        fflush(stdout);
+    }
+    return 0;
+}
