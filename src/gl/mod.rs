@@ -22,7 +22,9 @@ pub mod fog;
 pub mod fragment_operations;
 pub mod lighting;
 pub mod list;
+pub mod mipmap;
 pub mod pixel_format;
+pub mod pixel_objects;
 pub mod pixel_store;
 pub mod points_lines_polygons;
 pub mod polygon_stipple;
@@ -32,6 +34,12 @@ pub mod state;
 pub mod strings;
 pub mod texenv;
 pub mod texgen;
+pub mod pixel_transfer;
+pub mod state;
+pub mod texture_format;
+pub mod texture_image;
+pub mod texture_object;
+pub mod texture_parameter;
 
 use std::sync::{Arc, Mutex, MutexGuard};
 
@@ -72,6 +80,7 @@ pub struct Context {
     attrib_stack: Vec<attrib_stack::SavedAttributes>,
     /// GL_RENDERER, once asked for.
     renderer: Option<std::ffi::CString>,
+    pub(crate) pixel_objects: pixel_objects::PixelObjects,
     error: GLenum,
 }
 
@@ -131,6 +140,8 @@ pub mod dirty {
 pub struct Shared {
     /// Display lists by name; `None` for a name that GenLists reserved.
     pub lists: std::collections::HashMap<u32, Option<Arc<list::List>>>,
+    /// Textures.
+    pub textures: texture_object::TextureTable,
 }
 
 impl Context {
@@ -157,6 +168,7 @@ impl Context {
             lists: list::ListState::default(),
             attrib_stack: Vec::new(),
             renderer: None,
+            pixel_objects: Default::default(),
             error: GL_NO_ERROR,
         }
     }

@@ -363,7 +363,9 @@ pub(crate) fn pack(store: &PixelStore, bytes: &mut [u8], size: [usize; 3], volum
             match ty {
                 GL_BITMAP => write_bits(values, layout.bit, store.lsb_first, row),
                 GL_UNSIGNED_BYTE | GL_BYTE => row.iter_mut().zip(values).for_each(|(b, &v)| *b = v as u8),
-                GL_UNSIGNED_SHORT | GL_SHORT => row.chunks_exact_mut(2).zip(values).for_each(|(b, &v)| b.copy_from_slice(&(v as u16).to_ne_bytes())),
+                GL_UNSIGNED_SHORT | GL_SHORT => {
+                    row.chunks_exact_mut(2).zip(values).for_each(|(b, &v)| b.copy_from_slice(&(v as u16).to_ne_bytes()))
+                }
                 GL_FLOAT => row.chunks_exact_mut(4).zip(values).for_each(|(b, &v)| b.copy_from_slice(&(v as f32).to_ne_bytes())),
                 _ => row.chunks_exact_mut(4).zip(values).for_each(|(b, &v)| b.copy_from_slice(&v.to_ne_bytes())),
             }

@@ -1,9 +1,9 @@
 //! Pixel store: how images lie in client memory (3.6.1, 4.3.2).
 
+use super::Context;
 use super::enums::*;
 use super::pixel_format::group_bytes;
 use super::state::PixelStore;
-use super::Context;
 
 /// Where the groups of an image lie, in bytes from the client's pointer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,7 +52,14 @@ impl PixelStore {
             start.checked_add((depth - 1).checked_mul(image)?)?.checked_add((height - 1).checked_mul(row)?)?.checked_add(row_bytes)?
         };
         let limit = |n: u64| if n <= isize::MAX as u64 { Some(n as usize) } else { None };
-        Some(Layout { start: limit(start)?, bit: bit as usize, row: limit(row)?, image: limit(image)?, row_bytes: limit(row_bytes)?, end: limit(end)? })
+        Some(Layout {
+            start: limit(start)?,
+            bit: bit as usize,
+            row: limit(row)?,
+            image: limit(image)?,
+            row_bytes: limit(row_bytes)?,
+            end: limit(end)?,
+        })
     }
 
     /// Sets one parameter; the names of packing and unpacking are folded into those of unpacking.
@@ -172,7 +179,13 @@ mod tests {
 
     #[test]
     fn sizes_that_overflow_have_no_layout() {
-        let store = PixelStore { row_length: i32::MAX, skip_rows: i32::MAX, image_height: i32::MAX, skip_images: i32::MAX, ..PixelStore::default() };
+        let store = PixelStore {
+            row_length: i32::MAX,
+            skip_rows: i32::MAX,
+            image_height: i32::MAX,
+            skip_images: i32::MAX,
+            ..PixelStore::default()
+        };
         assert_eq!(store.layout([i32::MAX, i32::MAX, i32::MAX], true, GL_RGBA, GL_FLOAT), None);
         assert_eq!(store.layout([-1, 1, 1], false, GL_RGBA, GL_FLOAT), None);
         assert_eq!(store.layout([1, 1, 1], false, GL_RGBA, GL_BITMAP), None);

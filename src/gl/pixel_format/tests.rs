@@ -61,7 +61,16 @@ fn round_trip(store: &PixelStore, format: GLenum, ty: GLenum) {
 #[test]
 fn every_colour_format_and_type_survives_a_round_trip() {
     let plain = PixelStore::default();
-    let odd = PixelStore { swap_bytes: true, row_length: 7, skip_rows: 1, skip_pixels: 3, skip_images: 1, image_height: 6, alignment: 8, ..plain.clone() };
+    let odd = PixelStore {
+        swap_bytes: true,
+        row_length: 7,
+        skip_rows: 1,
+        skip_pixels: 3,
+        skip_images: 1,
+        image_height: 6,
+        alignment: 8,
+        ..plain.clone()
+    };
     for store in [plain, odd] {
         for format in COLOR_FORMATS {
             for ty in PLAIN_TYPES.into_iter().chain(PACKED_TYPES) {
@@ -77,7 +86,16 @@ fn every_colour_format_and_type_survives_a_round_trip() {
 fn every_byte_value_survives_every_plain_type() {
     let pixels: Vec<u32> = (0..256u32).map(|i| i | (255 - i) << 8 | (i ^ 0x55) << 16 | (i ^ 0xaa) << 24).collect();
     let store = PixelStore::default();
-    for ty in [GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_SHORT, GL_UNSIGNED_INT, GL_INT, GL_FLOAT, GL_UNSIGNED_INT_8_8_8_8, GL_UNSIGNED_INT_10_10_10_2] {
+    for ty in [
+        GL_UNSIGNED_BYTE,
+        GL_UNSIGNED_SHORT,
+        GL_SHORT,
+        GL_UNSIGNED_INT,
+        GL_INT,
+        GL_FLOAT,
+        GL_UNSIGNED_INT_8_8_8_8,
+        GL_UNSIGNED_INT_10_10_10_2,
+    ] {
         let mut bytes = vec![0; 256 * 16];
         pack(&store, &mut bytes, [256, 1, 1], false, GL_RGBA, ty, &Groups::Rgba8(pixels.clone()));
         let image = ClientImage::unpack(&store, &bytes, [256, 1, 1], false, GL_RGBA, ty).unwrap();

@@ -1,0 +1,10 @@
+//! What a context keeps for the pixel commands besides its state.
+
+use super::texture_image::Proxy;
+
+/// Proxies, accumulation buffer, images of bitmaps.
+#[derive(Default)]
+pub(crate) struct PixelObjects {
+    /// Answers of the proxy targets 1D, 2D, 3D and cube map.
+    pub proxies: [Proxy; 4],
+}
