@@ -35,7 +35,6 @@ pub mod strings;
 pub mod texenv;
 pub mod texgen;
 pub mod pixel_transfer;
-pub mod state;
 pub mod texture_format;
 pub mod texture_image;
 pub mod texture_object;
