@@ -1,5 +1,7 @@
 //! Where batches run: the embedded CPU executor or wgpu compute.
 
+pub mod cpu;
+
 use crate::draw::Batch;
 
 /// Storage of a colour pixel.

@@ -71,6 +71,16 @@ pub enum Stage {
     Fragment,
 }
 
+/// What an executor may do instead of running a fragment program, with the same result.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Shortcut {
+    /// Nothing: run it.
+    #[default]
+    None,
+    /// The colour is varying `k`, as it is interpolated; nothing is discarded, depth is the interpolated one.
+    Varying(u8),
+}
+
 /// A program, ready for both executors.
 pub struct Program {
     /// Unique over the process: equal ids are equal programs.
@@ -97,4 +107,6 @@ pub struct Program {
     pub discards: bool,
     /// vec4 of its uniform block.
     pub uniform_vec4: u32,
+    /// Fragment: what may be done instead of running it.
+    pub shortcut: Shortcut,
 }

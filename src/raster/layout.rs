@@ -312,8 +312,10 @@ pub mod triangle_flags {
     pub const FRONT: u32 = 1;
     /// From a polygon: the polygon stipple applies.
     pub const POLYGON: u32 = 1 << 1;
-    /// 1/w is not constant over the triangle: perspective varyings need the division.
+    /// 1/w is not 1 all over the triangle: perspective varyings need the division.
     pub const PERSPECTIVE: u32 = 1 << 2;
+    /// Row 0 of the surface is GL's bottom row: decides which horizontal edges are inclusive.
+    pub const BOTTOM_UP: u32 = 1 << 3;
 }
 
 /// Planes at the head of a triangle's block: z and 1/w at any pixel, `a0 + dx * x + dy * y` with x, y the integer

@@ -3,4 +3,17 @@
 //! Every stage is a pair of the same name, `src/raster/<stage>.rs` and `shaders/<stage>.wgsl`, that reads and
 //! writes the records of [`layout`].
 
+pub mod bin;
+pub mod blend;
+pub mod clear;
+pub mod clip;
+pub mod depth_stencil;
+pub mod fine;
+pub mod formats;
 pub mod layout;
+mod point_line;
+pub mod setup;
+pub mod simd;
+pub mod store;
+pub mod tile;
+pub mod vertex;

@@ -1,0 +1,231 @@
+//! The embedded CPU executor: the stages of [`crate::raster`] over the machine's cores.
+//!
+//! Runs of primitives are set up in parallel, each with bin lists of its own; bins are then drawn in parallel, each
+//! walking the runs in order. The result does not depend on the number of threads.
+
+use std::sync::{Arc, OnceLock};
+
+use rayon::prelude::*;
+
+use super::{Device, Pixels, Surface, SurfaceFormat};
+use crate::draw::{Batch, Step};
+use crate::raster::fine::{Plan, Scene, Work, Worker, run_bin};
+use crate::raster::setup::{Chunk, SetupInput};
+use crate::raster::simd::Level;
+use crate::raster::store::Store;
+use crate::raster::vertex::{BLOCK, ScreenVertex, VertexWorker};
+
+/// Primitives in a run.
+const CHUNK: u32 = 2048;
+/// Below this many vertices and primitives the calling thread does the work alone.
+const WORTH_SHARING: u64 = 4096;
+
+/// The CPU.
+pub struct CpuDevice {
+    shared: Arc<Shared>,
+}
+
+/// What the surfaces of a device share.
+struct Shared {
+    threads: usize,
+    level: Level,
+    pool: OnceLock<Option<rayon::ThreadPool>>,
+}
+
+impl Shared {
+    /// The pool, started when it is first wanted; `None` with one thread.
+    fn pool(&self) -> Option<&rayon::ThreadPool> {
+        if self.threads < 2 {
+            return None;
+        }
+        self.pool
+            .get_or_init(|| rayon::ThreadPoolBuilder::new().num_threads(self.threads).thread_name(|k| format!("tepui-{k}")).build().ok())
+            .as_ref()
+    }
+}
+
+impl Default for CpuDevice {
+    fn default() -> Self {
+        CpuDevice::new()
+    }
+}
+
+impl CpuDevice {
+    /// As the environment says: `TEPUI_THREADS`, `TEPUI_SIMD`.
+    pub fn new() -> CpuDevice {
+        let threads = std::env::var("TEPUI_THREADS").ok().and_then(|v| v.parse().ok()).filter(|n| (1..=1024).contains(n));
+        let threads = threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, |n| n.get()));
+        CpuDevice::with(threads, Level::from_environment())
+    }
+
+    /// With so many threads at a SIMD level.
+    pub fn with(threads: usize, level: Level) -> CpuDevice {
+        CpuDevice { shared: Arc::new(Shared { threads, level, pool: OnceLock::new() }) }
+    }
+}
+
+impl Device for CpuDevice {
+    fn name(&self) -> String {
+        let level = if self.shared.level == Level::Avx2 { "AVX2" } else { "scalar" };
+        format!("CPU, {} thread{}, {level}", self.shared.threads, if self.shared.threads == 1 { "" } else { "s" })
+    }
+
+    fn surface(&self, width: u32, height: u32, format: SurfaceFormat) -> Box<dyn Surface> {
+        Box::new(CpuSurface {
+            shared: self.shared.clone(),
+            store: Store::new(width, height, format),
+            pixels: Pixels::new(width, height, format),
+            newer: Newer::Same,
+            scratch: Scratch::default(),
+        })
+    }
+}
+
+/// Which copy of the pixels is ahead.
+#[derive(Clone, Copy, PartialEq)]
+enum Newer {
+    Same,
+    Store,
+    Pixels,
+}
+
+/// Memory that is kept from batch to batch.
+#[derive(Default)]
+struct Scratch {
+    shaded: Vec<[f32; 4]>,
+    screen: Vec<ScreenVertex>,
+    chunks: Vec<Chunk>,
+    vertex: VertexWorker,
+    fine: Worker,
+}
+
+/// A surface of the CPU executor.
+pub struct CpuSurface {
+    shared: Arc<Shared>,
+    store: Store,
+    pixels: Pixels,
+    newer: Newer,
+    scratch: Scratch,
+}
+
+impl Surface for CpuSurface {
+    fn execute(&mut self, batch: Batch) {
+        if self.newer == Newer::Pixels {
+            self.store.write(&self.pixels);
+        }
+        self.newer = Newer::Store;
+        let bin_pixels = self.store.size[0] as u64 * self.store.size[1] as u64;
+        let work = batch.shaded_vec4 as u64 + batch.primitives.len() as u64 + bin_pixels / 64;
+        let pool = if work > WORTH_SHARING { self.shared.pool() } else { None };
+        run(&batch, &mut self.store, &mut self.scratch, self.shared.level, pool);
+    }
+
+    fn pixels(&mut self) -> &Pixels {
+        if self.newer == Newer::Store {
+            self.store.read(&mut self.pixels);
+            self.newer = Newer::Same;
+        }
+        &self.pixels
+    }
+
+    fn pixels_mut(&mut self) -> &mut Pixels {
+        self.pixels();
+        self.newer = Newer::Pixels;
+        &mut self.pixels
+    }
+}
+
+/// Shades all vertices of a batch. Returns the first [`ScreenVertex`] of each draw.
+fn shade(batch: &Batch, scratch: &mut Scratch, pool: Option<&rayon::ThreadPool>) -> Vec<u32> {
+    let mut bases = Vec::with_capacity(batch.draws.len());
+    let mut vertices = 0;
+    for draw in &batch.draws {
+        bases.push(vertices as u32);
+        vertices += draw.record.vertex_count as usize;
+    }
+    scratch.shaded.resize(batch.shaded_vec4 as usize, [0.0; 4]);
+    scratch.screen.resize(vertices, ScreenVertex::default());
+    // Cut the outputs into blocks: each is written by one worker.
+    let (mut shaded, mut screen) = (&mut scratch.shaded[..], &mut scratch.screen[..]);
+    let mut at = 0;
+    let mut blocks = Vec::with_capacity(vertices / BLOCK + batch.draws.len());
+    for draw in &batch.draws {
+        let record = &draw.record;
+        assert!(record.shaded_base as usize >= at, "shaded vertices lie in the order of the draws");
+        shaded = &mut shaded[record.shaded_base as usize - at..];
+        let mut first = 0;
+        while first < record.vertex_count as usize {
+            let count = (record.vertex_count as usize - first).min(BLOCK);
+            let (s, rest) = shaded.split_at_mut(count * record.shaded_stride as usize);
+            let (p, screen_rest) = screen.split_at_mut(count);
+            (shaded, screen) = (rest, screen_rest);
+            blocks.push((draw, first, s, p));
+            first += count;
+        }
+        at = record.shaded_base as usize + record.vertex_count as usize * record.shaded_stride as usize;
+    }
+    match pool {
+        Some(pool) if blocks.len() > 4 => pool.install(|| {
+            blocks
+                .into_par_iter()
+                .with_min_len(4)
+                .for_each_init(VertexWorker::default, |w, (draw, first, s, p)| w.run(batch, draw, first, s, p))
+        }),
+        _ => blocks.into_iter().for_each(|(draw, first, s, p)| scratch.vertex.run(batch, draw, first, s, p)),
+    }
+    bases
+}
+
+/// Runs a batch on a store.
+fn run(batch: &Batch, store: &mut Store, scratch: &mut Scratch, level: Level, pool: Option<&rayon::ThreadPool>) {
+    let screen_base = shade(batch, scratch, pool);
+    draw(batch, store, scratch, &screen_base, level, pool);
+}
+
+/// The stages after the vertex stage.
+fn draw(batch: &Batch, store: &mut Store, scratch: &mut Scratch, screen_base: &[u32], level: Level, pool: Option<&rayon::ThreadPool>) {
+    let runs: Vec<(usize, u32, u32)> = (batch.steps.iter().enumerate())
+        .flat_map(|(k, step)| {
+            let (first, end) = if let Step::Primitives { first, end } = *step { (first, end) } else { (0, 0) };
+            (first..end).step_by(CHUNK as usize).map(move |f| (k, f, (f + CHUNK).min(end)))
+        })
+        .collect();
+    if scratch.chunks.len() < runs.len() {
+        scratch.chunks.resize_with(runs.len(), Chunk::default);
+    }
+    let input = SetupInput { batch, shaded: &scratch.shaded, screen: &scratch.screen, screen_base, top_first: store.format.top_first };
+    let bins = store.bins;
+    let chunks = &mut scratch.chunks[..runs.len()];
+    let set_up = |chunk: &mut Chunk, first: u32, end: u32| {
+        chunk.clear();
+        chunk.run(&input, first, end);
+        chunk.bins.run(&chunk.triangles, bins[0], bins[1]);
+    };
+    match pool {
+        Some(pool) if runs.len() > 1 => {
+            pool.install(|| chunks.par_iter_mut().zip(&runs).for_each(|(chunk, &(_, first, end))| set_up(chunk, first, end)));
+        }
+        _ => chunks.iter_mut().zip(&runs).for_each(|(chunk, &(_, first, end))| set_up(chunk, first, end)),
+    }
+    let mut work = Vec::with_capacity(runs.len() + batch.steps.len());
+    let mut next = 0;
+    for (k, step) in batch.steps.iter().enumerate() {
+        if let Step::Clear(clear) = step {
+            work.push(Work::Clear(clear));
+        }
+        while next < runs.len() && runs[next].0 == k {
+            work.push(Work::Triangles(&chunks[next]));
+            next += 1;
+        }
+    }
+    let format = store.format;
+    let plans: Vec<Plan> = (0..batch.draws.len()).map(|k| Plan::new(batch, k, format)).collect();
+    let scene = Scene { batch, plans: &plans, work: &work, format, height: store.size[1] };
+    let bins = store.split();
+    match pool {
+        Some(pool) if bins.len() > 1 => pool.install(|| {
+            bins.into_par_iter().enumerate().for_each_init(Worker::default, |w, (k, mut bin)| run_bin(level, w, &scene, k, &mut bin));
+        }),
+        _ => bins.into_iter().enumerate().for_each(|(k, mut bin)| run_bin(level, &mut scratch.fine, &scene, k, &mut bin)),
+    }
+}

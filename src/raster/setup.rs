@@ -1,0 +1,303 @@
+//! Set-up stage: a primitive on the screen becomes triangles with a positive area and plane equations.
+//!
+//! Reads the shaded vertices and their places; writes [`Triangle`]s and planes, in primitive order. The arithmetic of
+//! the planes is part of the image: single precision, every operation rounded, in exactly this order.
+
+use super::clip::{ClipVertex, Clipper, possible};
+use super::layout::*;
+use super::vertex::ScreenVertex;
+use crate::draw::Batch;
+
+/// Everything that a batch's set-up reads, besides the primitives.
+#[derive(Clone, Copy)]
+pub struct SetupInput<'a> {
+    /// The batch.
+    pub batch: &'a Batch,
+    /// Shaded vertices.
+    pub shaded: &'a [[f32; 4]],
+    /// Their places on the screen.
+    pub screen: &'a [ScreenVertex],
+    /// First [`ScreenVertex`] of each draw.
+    pub screen_base: &'a [u32],
+    /// Row 0 of the surface is the top row in GL's view.
+    pub top_first: bool,
+}
+
+/// What set-up makes of a run of primitives.
+#[derive(Default)]
+pub struct Chunk {
+    /// Triangles, in order.
+    pub triangles: Vec<Triangle>,
+    /// Their planes.
+    pub planes: Vec<[f32; 4]>,
+    /// Bin lists, see [`super::bin`].
+    pub bins: super::bin::BinLists,
+    /// Primitives that were culled, were outside, or touched no sample.
+    pub dropped: u32,
+    /// Primitives that were clipped.
+    pub clipped: u32,
+    clipper: Clipper,
+}
+
+/// A vertex as set-up sees it.
+#[derive(Clone, Copy)]
+pub struct Corner<'a> {
+    /// Its place.
+    pub screen: ScreenVertex,
+    /// Clip position and attributes.
+    pub shaded: &'a [[f32; 4]],
+}
+
+/// A primitive's surroundings.
+#[derive(Clone, Copy)]
+pub struct Context<'a> {
+    /// The draw.
+    pub record: &'a DrawRecord,
+    /// Its state.
+    pub state: &'a RasterState,
+    /// Index of the draw.
+    pub draw: u32,
+    /// Index of the primitive.
+    pub primitive: u32,
+    /// Attributes of flat varyings.
+    pub provoking: &'a [[f32; 4]],
+    /// See [`SetupInput::top_first`].
+    pub top_first: bool,
+}
+
+impl Chunk {
+    /// Empties it, keeping its memory.
+    pub fn clear(&mut self) {
+        self.triangles.clear();
+        self.planes.clear();
+        (self.dropped, self.clipped) = (0, 0);
+    }
+
+    /// Sets up primitives `first..end` of the batch.
+    pub fn run(&mut self, input: &SetupInput, first: u32, end: u32) {
+        let mut clipper = std::mem::take(&mut self.clipper);
+        for (k, primitive) in input.batch.primitives[first as usize..end as usize].iter().enumerate() {
+            self.primitive(input, primitive, first + k as u32, &mut clipper);
+        }
+        self.clipper = clipper;
+    }
+
+    fn primitive(&mut self, input: &SetupInput, primitive: &Primitive, index: u32, clipper: &mut Clipper) {
+        let draw = primitive.draw_and_flags & PRIM_DRAW_MASK;
+        let record = &input.batch.draws[draw as usize].record;
+        let state = &input.batch.raster_states[record.raster_state as usize];
+        let (stride, base) = (record.shaded_stride as usize, record.shaded_base as usize);
+        let screen = &input.screen[input.screen_base[draw as usize] as usize..];
+        let corner = |k: usize| {
+            let v = primitive.v[k] as usize;
+            Corner { screen: screen[v], shaded: &input.shaded[base + v * stride..base + (v + 1) * stride] }
+        };
+        let before = self.triangles.len();
+        let edge = |bit: u32| primitive.draw_and_flags & bit != 0;
+        let mut context = Context { record, state, draw, primitive: index, provoking: &[], top_first: input.top_first };
+        match record.topology {
+            topology::POINTS => {
+                let a = corner(0);
+                context.provoking = a.shaded;
+                if a.screen.code == 0 {
+                    self.point(&context, &a, true);
+                }
+            }
+            topology::LINES => {
+                let (a, b) = (corner(0), corner(1));
+                context.provoking = b.shaded;
+                let (or, and) = (a.screen.code | b.screen.code, a.screen.code & b.screen.code);
+                if or == 0 {
+                    self.line(&context, &a, &b, true);
+                } else if possible(or, and) {
+                    self.clipped += 1;
+                    clipper.begin(&[(&a.screen, a.shaded, false), (&b.screen, b.shaded, false)]);
+                    if clipper.line(or, record, state) {
+                        let [a, b] = [0, 1].map(|k| clipped_corner(clipper, clipper.polygon[k], stride));
+                        self.line(&context, &a, &b, true);
+                    }
+                }
+            }
+            _ => {
+                let (a, b, c) = (corner(0), corner(1), corner(2));
+                context.provoking = c.shaded;
+                let (or, and) = (a.screen.code | b.screen.code | c.screen.code, a.screen.code & b.screen.code & c.screen.code);
+                if or == 0 {
+                    self.polygon(&context, &[a, b, c], [edge(PRIM_EDGE_01), edge(PRIM_EDGE_12), edge(PRIM_EDGE_20)]);
+                } else if possible(or, and) {
+                    self.clipped += 1;
+                    clipper.begin(&[
+                        (&a.screen, a.shaded, edge(PRIM_EDGE_01)),
+                        (&b.screen, b.shaded, edge(PRIM_EDGE_12)),
+                        (&c.screen, c.shaded, edge(PRIM_EDGE_20)),
+                    ]);
+                    if clipper.polygon(or, record, state) {
+                        let polygon = &clipper.polygon;
+                        let n = polygon.len();
+                        for i in 2..n {
+                            let corners = [polygon[i - 1], polygon[i], polygon[0]].map(|v| clipped_corner(clipper, v, stride));
+                            let edges = [polygon[i - 1].edge, i == n - 1 && polygon[i].edge, i == 2 && polygon[0].edge];
+                            self.polygon(&context, &corners, edges);
+                        }
+                    }
+                }
+            }
+        }
+        self.dropped += (self.triangles.len() == before) as u32;
+    }
+
+    /// A triangle of a polygon: culled, filled or drawn by its outline or corners.
+    fn polygon(&mut self, context: &Context, v: &[Corner; 3], edges: [bool; 3]) {
+        let [x, y] = [0, 1].map(|k| v.map(|c| c.screen.snapped[k] as i64));
+        let area = (x[0] - x[1]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[0] - y[1]);
+        if area == 0 {
+            return;
+        }
+        // A positive area runs clockwise in rows that go up, counter-clockwise in rows that go down.
+        let flags = context.state.flags;
+        let ccw_in_gl = (area > 0) == context.top_first;
+        let front = ccw_in_gl == (flags & raster_flags::FRONT_CCW != 0);
+        if flags & (if front { raster_flags::CULL_FRONT } else { raster_flags::CULL_BACK }) != 0 {
+            return;
+        }
+        match context.state.polygon_mode[!front as usize] {
+            topology::TRIANGLES => {
+                let v = if area > 0 { *v } else { [v[1], v[0], v[2]] };
+                self.triangle(context, &v, front, triangle_flags::POLYGON, flags & raster_flags::OFFSET_FILL != 0);
+            }
+            topology::LINES => {
+                let offset = self.offset(context, v, flags & raster_flags::OFFSET_LINE != 0);
+                let v = v.map(|c| offset_corner(c, offset));
+                for (edge, a, b) in [(edges[2], 2, 0), (edges[0], 0, 1), (edges[1], 1, 2)] {
+                    if edge {
+                        self.line(context, &v[a], &v[b], front);
+                    }
+                }
+            }
+            _ => {
+                let offset = self.offset(context, v, flags & raster_flags::OFFSET_POINT != 0);
+                for k in 0..3 {
+                    if edges[k] {
+                        self.point(context, &offset_corner(v[k], offset), front);
+                    }
+                }
+            }
+        }
+    }
+
+    fn offset(&self, context: &Context, v: &[Corner; 3], on: bool) -> f32 {
+        if on { polygon_offset(context.state, v.map(|c| c.screen.position)) } else { 0.0 }
+    }
+
+    /// A filled triangle with positive area. `v[2]`'s place in the order does not matter to flat varyings.
+    pub fn triangle(&mut self, context: &Context, v: &[Corner; 3], front: bool, mut flags: u32, offset: bool) {
+        let [x, y] = [0, 1].map(|k| v.map(|c| c.screen.snapped[k]));
+        let Some((columns, rows)) = bounds(x, y, context.state) else { return };
+        if v.iter().any(|c| c.screen.inv_w != 1.0) {
+            flags |= triangle_flags::PERSPECTIVE;
+        }
+        flags |= front as u32 * triangle_flags::FRONT | !context.top_first as u32 * triangle_flags::BOTTOM_UP;
+        let planes = self.planes.len() as u32;
+        let places = v.map(|c| c.screen.position);
+        let offset = if offset { polygon_offset(context.state, places) } else { 0.0 };
+        let basis = Basis::new(places);
+        let z = basis.plane(places.map(|p| p[2] + offset));
+        let w = basis.plane(v.map(|c| c.screen.inv_w));
+        self.planes.push([z[0], z[1], z[2], w[0]]);
+        self.planes.push([w[1], w[2], 0.0, 0.0]);
+        self.varyings(context, &basis, v, front);
+        self.triangles.push(Triangle { x, y, draw: context.draw, flags, columns, rows, planes, primitive: context.primitive });
+    }
+
+    /// Appends the planes of the draw's varyings.
+    fn varyings(&mut self, context: &Context, basis: &Basis, v: &[Corner; 3], front: bool) {
+        for &varying in &context.record.varyings[..context.record.varying_count as usize] {
+            let at = (if front { varying } else { varying >> 8 } & 0xff) as usize;
+            match varying >> 16 & 3 {
+                interpolation::FLAT => self.planes.extend([context.provoking[at], [0.0; 4], [0.0; 4]]),
+                interpolation::PERSPECTIVE => self.planes.extend(basis.plane4(v.map(|c| c.shaded[at].map(|a| a * c.screen.inv_w)))),
+                _ => self.planes.extend(basis.plane4(v.map(|c| c.shaded[at]))),
+            }
+        }
+    }
+}
+
+fn clipped_corner<'a>(clipper: &'a Clipper, v: ClipVertex, stride: usize) -> Corner<'a> {
+    Corner { screen: v.screen, shaded: &clipper.pool[v.at..v.at + stride] }
+}
+
+fn offset_corner(mut corner: Corner, offset: f32) -> Corner {
+    corner.screen.position[2] += offset;
+    corner
+}
+
+/// The z offset of a polygon: units + factor * the greatest slope (3.5.5).
+pub fn polygon_offset(state: &RasterState, p: [[f32; 3]; 3]) -> f32 {
+    let e = [p[0][0] - p[2][0], p[0][1] - p[2][1], p[0][2] - p[2][2]];
+    let f = [p[1][0] - p[2][0], p[1][1] - p[2][1], p[1][2] - p[2][2]];
+    let inv_det = 1.0 / (e[0] * f[1] - e[1] * f[0]);
+    let dzdx = ((e[1] * f[2] - e[2] * f[1]) * inv_det).abs();
+    let dzdy = ((e[2] * f[0] - e[0] * f[2]) * inv_det).abs();
+    let slope = if dzdx > dzdy { dzdx } else { dzdy };
+    let offset = state.offset_units + slope * state.offset_factor;
+    if offset.is_finite() { offset } else { 0.0 }
+}
+
+/// First and last column and row that a sample may lie in, packed; `None` where there is none.
+pub fn bounds(x: [i32; 3], y: [i32; 3], state: &RasterState) -> Option<(u32, u32)> {
+    let range = |v: [i32; 3], k: usize| {
+        let first = (v[0].min(v[1]).min(v[2]) + 255) >> SUBPIXEL_BITS;
+        let last = v[0].max(v[1]).max(v[2]) >> SUBPIXEL_BITS;
+        let (first, last) = (first.max(state.scissor_min[k]), last.min(state.scissor_max[k] - 1));
+        (first <= last).then(|| first as u32 | (last as u32) << 16)
+    };
+    Some((range(x, 0)?, range(y, 1)?))
+}
+
+/// What all planes of a triangle share.
+pub struct Basis {
+    x0c: f32,
+    y0c: f32,
+    dx01_ooa: f32,
+    dy01_ooa: f32,
+    dx20_ooa: f32,
+    dy20_ooa: f32,
+}
+
+impl Basis {
+    /// From the unsnapped places.
+    #[inline(always)]
+    pub fn new(p: [[f32; 3]; 3]) -> Basis {
+        let (dx01, dy01) = (p[0][0] - p[1][0], p[0][1] - p[1][1]);
+        let (dx20, dy20) = (p[2][0] - p[0][0], p[2][1] - p[0][1]);
+        let ooa = 1.0 / (dx01 * dy20 - dx20 * dy01);
+        Basis {
+            x0c: p[0][0] - 0.5,
+            y0c: p[0][1] - 0.5,
+            dx01_ooa: dx01 * ooa,
+            dy01_ooa: dy01 * ooa,
+            dx20_ooa: dx20 * ooa,
+            dy20_ooa: dy20 * ooa,
+        }
+    }
+
+    /// a0, d/dx, d/dy of a value given at the corners.
+    #[inline(always)]
+    pub fn plane(&self, a: [f32; 3]) -> [f32; 3] {
+        let (da01, da20) = (a[0] - a[1], a[2] - a[0]);
+        let dadx = da01 * self.dy20_ooa - da20 * self.dy01_ooa;
+        let dady = da20 * self.dx01_ooa - da01 * self.dx20_ooa;
+        [a[0] - (dadx * self.x0c + dady * self.y0c), dadx, dady]
+    }
+
+    /// The same for four values.
+    #[inline(always)]
+    pub fn plane4(&self, a: [[f32; 4]; 3]) -> [[f32; 4]; 3] {
+        let mut planes = [[0.0; 4]; 3];
+        for c in 0..4 {
+            let [a0, dx, dy] = self.plane([a[0][c], a[1][c], a[2][c]]);
+            (planes[0][c], planes[1][c], planes[2][c]) = (a0, dx, dy);
+        }
+        planes
+    }
+}

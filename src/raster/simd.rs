@@ -1,0 +1,375 @@
+//! Eight lanes at a time: the vocabulary of the CPU executor's inner loops, with two spellings that give the same bits.
+//!
+//! A kernel is one generic function, marked `#[inline(always)]`; [`Level`] says which spelling it is instantiated
+//! with. The AVX2 spelling may only be reached through a function that enables `avx2,fma`, which `dispatch!` makes.
+
+use std::sync::OnceLock;
+
+/// Operations on eight f32 or eight i32. A mask is eight i32, each 0 or -1.
+#[allow(missing_docs)]
+pub trait Simd: Copy + 'static {
+    type F: Copy;
+    type I: Copy;
+    fn f(v: f32) -> Self::F;
+    fn i(v: i32) -> Self::I;
+    fn load(v: &[f32; 8]) -> Self::F;
+    fn store(v: Self::F, to: &mut [f32; 8]);
+    fn load_u(v: &[u32; 8]) -> Self::I;
+    fn store_u(v: Self::I, to: &mut [u32; 8]);
+    fn add(a: Self::F, b: Self::F) -> Self::F;
+    fn sub(a: Self::F, b: Self::F) -> Self::F;
+    fn mul(a: Self::F, b: Self::F) -> Self::F;
+    fn div(a: Self::F, b: Self::F) -> Self::F;
+    /// a * b + c, rounded once.
+    fn fma(a: Self::F, b: Self::F, c: Self::F) -> Self::F;
+    /// Clamp to low..=high; NaN becomes low.
+    fn clamp(a: Self::F, low: Self::F, high: Self::F) -> Self::F;
+    /// To the nearest integer, ties to even; out of range: i32::MIN.
+    fn round(a: Self::F) -> Self::I;
+    fn to_f(a: Self::I) -> Self::F;
+    fn lt(a: Self::F, b: Self::F) -> Self::I;
+    fn bits(a: Self::F) -> Self::I;
+    fn iadd(a: Self::I, b: Self::I) -> Self::I;
+    fn isub(a: Self::I, b: Self::I) -> Self::I;
+    fn and(a: Self::I, b: Self::I) -> Self::I;
+    fn or(a: Self::I, b: Self::I) -> Self::I;
+    fn xor(a: Self::I, b: Self::I) -> Self::I;
+    /// !a & b
+    fn andnot(a: Self::I, b: Self::I) -> Self::I;
+    fn gt(a: Self::I, b: Self::I) -> Self::I;
+    fn eq(a: Self::I, b: Self::I) -> Self::I;
+    fn shl<const N: i32>(a: Self::I) -> Self::I;
+    /// Logical shift right.
+    fn shr<const N: i32>(a: Self::I) -> Self::I;
+    /// mask ? a : b
+    fn select(mask: Self::I, a: Self::I, b: Self::I) -> Self::I;
+    /// Bit k: the sign of lane k.
+    fn signs(a: Self::I) -> u32;
+    /// 16-bit halves: product, low half.
+    fn mul16(a: Self::I, b: Self::I) -> Self::I;
+    /// 16-bit halves: sum.
+    fn add16(a: Self::I, b: Self::I) -> Self::I;
+    /// 16-bit halves: difference.
+    fn sub16(a: Self::I, b: Self::I) -> Self::I;
+    /// 16-bit halves: logical shift right.
+    fn shr16<const N: i32>(a: Self::I) -> Self::I;
+    /// 16-bit halves: minimum, as signed numbers.
+    fn min16(a: Self::I, b: Self::I) -> Self::I;
+    /// 16-bit halves: maximum, as signed numbers.
+    fn max16(a: Self::I, b: Self::I) -> Self::I;
+}
+
+/// Plain Rust, for any machine.
+#[derive(Clone, Copy)]
+pub struct Portable;
+
+#[inline(always)]
+fn map<T: Copy, U: Copy + Default>(a: [T; 8], f: impl Fn(T) -> U) -> [U; 8] {
+    let mut r = [U::default(); 8];
+    for k in 0..8 {
+        r[k] = f(a[k]);
+    }
+    r
+}
+#[inline(always)]
+fn zip<T: Copy, U: Copy + Default>(a: [T; 8], b: [T; 8], f: impl Fn(T, T) -> U) -> [U; 8] {
+    let mut r = [U::default(); 8];
+    for k in 0..8 {
+        r[k] = f(a[k], b[k]);
+    }
+    r
+}
+#[inline(always)]
+fn halves(a: i32, b: i32, f: impl Fn(u16, u16) -> u16) -> i32 {
+    (f(a as u16, b as u16) as u32 | (f((a as u32 >> 16) as u16, (b as u32 >> 16) as u16) as u32) << 16) as i32
+}
+
+impl Simd for Portable {
+    type F = [f32; 8];
+    type I = [i32; 8];
+    #[inline(always)]
+    fn f(v: f32) -> Self::F {
+        [v; 8]
+    }
+    #[inline(always)]
+    fn i(v: i32) -> Self::I {
+        [v; 8]
+    }
+    #[inline(always)]
+    fn load(v: &[f32; 8]) -> Self::F {
+        *v
+    }
+    #[inline(always)]
+    fn store(v: Self::F, to: &mut [f32; 8]) {
+        *to = v;
+    }
+    #[inline(always)]
+    fn load_u(v: &[u32; 8]) -> Self::I {
+        map(*v, |x| x as i32)
+    }
+    #[inline(always)]
+    fn store_u(v: Self::I, to: &mut [u32; 8]) {
+        *to = map(v, |x| x as u32);
+    }
+    #[inline(always)]
+    fn add(a: Self::F, b: Self::F) -> Self::F {
+        zip(a, b, |a, b| a + b)
+    }
+    #[inline(always)]
+    fn sub(a: Self::F, b: Self::F) -> Self::F {
+        zip(a, b, |a, b| a - b)
+    }
+    #[inline(always)]
+    fn mul(a: Self::F, b: Self::F) -> Self::F {
+        zip(a, b, |a, b| a * b)
+    }
+    #[inline(always)]
+    fn div(a: Self::F, b: Self::F) -> Self::F {
+        zip(a, b, |a, b| a / b)
+    }
+    #[inline(always)]
+    fn fma(a: Self::F, b: Self::F, c: Self::F) -> Self::F {
+        let mut r = [0.0; 8];
+        for k in 0..8 {
+            r[k] = a[k].mul_add(b[k], c[k]);
+        }
+        r
+    }
+    #[inline(always)]
+    fn clamp(a: Self::F, low: Self::F, high: Self::F) -> Self::F {
+        zip(zip(a, low, |a, l| if a > l { a } else { l }), high, |a, h| if a < h { a } else { h })
+    }
+    #[inline(always)]
+    fn round(a: Self::F) -> Self::I {
+        map(a, |x| {
+            let r = x.round_ties_even();
+            if r >= -2147483648.0 && r < 2147483648.0 { r as i32 } else { i32::MIN }
+        })
+    }
+    #[inline(always)]
+    fn to_f(a: Self::I) -> Self::F {
+        map(a, |x| x as f32)
+    }
+    #[inline(always)]
+    fn lt(a: Self::F, b: Self::F) -> Self::I {
+        zip(a, b, |a, b| -((a < b) as i32))
+    }
+    #[inline(always)]
+    fn bits(a: Self::F) -> Self::I {
+        map(a, |x| x.to_bits() as i32)
+    }
+    #[inline(always)]
+    fn iadd(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, i32::wrapping_add)
+    }
+    #[inline(always)]
+    fn isub(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, i32::wrapping_sub)
+    }
+    #[inline(always)]
+    fn and(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, |a, b| a & b)
+    }
+    #[inline(always)]
+    fn or(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, |a, b| a | b)
+    }
+    #[inline(always)]
+    fn xor(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, |a, b| a ^ b)
+    }
+    #[inline(always)]
+    fn andnot(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, |a, b| !a & b)
+    }
+    #[inline(always)]
+    fn gt(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, |a, b| -((a > b) as i32))
+    }
+    #[inline(always)]
+    fn eq(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, |a, b| -((a == b) as i32))
+    }
+    #[inline(always)]
+    fn shl<const N: i32>(a: Self::I) -> Self::I {
+        map(a, |x| x << N)
+    }
+    #[inline(always)]
+    fn shr<const N: i32>(a: Self::I) -> Self::I {
+        map(a, |x| (x as u32 >> N) as i32)
+    }
+    #[inline(always)]
+    fn select(mask: Self::I, a: Self::I, b: Self::I) -> Self::I {
+        let mut r = [0; 8];
+        for k in 0..8 {
+            r[k] = if mask[k] < 0 { a[k] } else { b[k] };
+        }
+        r
+    }
+    #[inline(always)]
+    fn signs(a: Self::I) -> u32 {
+        let mut r = 0;
+        for k in 0..8 {
+            r |= (a[k] as u32 >> 31) << k;
+        }
+        r
+    }
+    #[inline(always)]
+    fn mul16(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, |a, b| halves(a, b, u16::wrapping_mul))
+    }
+    #[inline(always)]
+    fn add16(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, |a, b| halves(a, b, u16::wrapping_add))
+    }
+    #[inline(always)]
+    fn sub16(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, |a, b| halves(a, b, u16::wrapping_sub))
+    }
+    #[inline(always)]
+    fn shr16<const N: i32>(a: Self::I) -> Self::I {
+        map(a, |a| halves(a, 0, |x, _| x >> N))
+    }
+    #[inline(always)]
+    fn min16(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, |a, b| halves(a, b, |x, y| (x as i16).min(y as i16) as u16))
+    }
+    #[inline(always)]
+    fn max16(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, |a, b| halves(a, b, |x, y| (x as i16).max(y as i16) as u16))
+    }
+}
+
+/// AVX2 and FMA.
+#[cfg(target_arch = "x86_64")]
+#[derive(Clone, Copy)]
+pub struct Avx2;
+
+/// Spells an operation as one intrinsic.
+#[cfg(target_arch = "x86_64")]
+macro_rules! op {
+    ($name:ident($($a:ident: $t:ty),*) -> $r:ty, $e:expr) => {
+        #[inline(always)]
+        fn $name($($a: $t),*) -> $r {
+            // SAFETY: only reached from functions that enable avx2,fma, and those only after detection.
+            unsafe { $e }
+        }
+    };
+}
+
+#[cfg(target_arch = "x86_64")]
+impl Simd for Avx2 {
+    type F = std::arch::x86_64::__m256;
+    type I = std::arch::x86_64::__m256i;
+    op!(f(v: f32) -> Self::F, std::arch::x86_64::_mm256_set1_ps(v));
+    op!(i(v: i32) -> Self::I, std::arch::x86_64::_mm256_set1_epi32(v));
+    op!(load(v: &[f32; 8]) -> Self::F, std::arch::x86_64::_mm256_loadu_ps(v.as_ptr()));
+    op!(store(v: Self::F, to: &mut [f32; 8]) -> (), std::arch::x86_64::_mm256_storeu_ps(to.as_mut_ptr(), v));
+    op!(load_u(v: &[u32; 8]) -> Self::I, std::arch::x86_64::_mm256_loadu_si256(v.as_ptr().cast()));
+    op!(store_u(v: Self::I, to: &mut [u32; 8]) -> (), std::arch::x86_64::_mm256_storeu_si256(to.as_mut_ptr().cast(), v));
+    op!(add(a: Self::F, b: Self::F) -> Self::F, std::arch::x86_64::_mm256_add_ps(a, b));
+    op!(sub(a: Self::F, b: Self::F) -> Self::F, std::arch::x86_64::_mm256_sub_ps(a, b));
+    op!(mul(a: Self::F, b: Self::F) -> Self::F, std::arch::x86_64::_mm256_mul_ps(a, b));
+    op!(div(a: Self::F, b: Self::F) -> Self::F, std::arch::x86_64::_mm256_div_ps(a, b));
+    op!(fma(a: Self::F, b: Self::F, c: Self::F) -> Self::F, std::arch::x86_64::_mm256_fmadd_ps(a, b, c));
+    // max and min return their second operand where one is NaN.
+    op!(clamp(a: Self::F, low: Self::F, high: Self::F) -> Self::F, {
+        std::arch::x86_64::_mm256_min_ps(std::arch::x86_64::_mm256_max_ps(a, low), high)
+    });
+    op!(round(a: Self::F) -> Self::I, std::arch::x86_64::_mm256_cvtps_epi32(a));
+    op!(to_f(a: Self::I) -> Self::F, std::arch::x86_64::_mm256_cvtepi32_ps(a));
+    op!(lt(a: Self::F, b: Self::F) -> Self::I, {
+        std::arch::x86_64::_mm256_castps_si256(std::arch::x86_64::_mm256_cmp_ps::<{ std::arch::x86_64::_CMP_LT_OQ }>(a, b))
+    });
+    op!(bits(a: Self::F) -> Self::I, std::arch::x86_64::_mm256_castps_si256(a));
+    op!(iadd(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_add_epi32(a, b));
+    op!(isub(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_sub_epi32(a, b));
+    op!(and(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_and_si256(a, b));
+    op!(or(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_or_si256(a, b));
+    op!(xor(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_xor_si256(a, b));
+    op!(andnot(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_andnot_si256(a, b));
+    op!(gt(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_cmpgt_epi32(a, b));
+    op!(eq(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_cmpeq_epi32(a, b));
+    #[inline(always)]
+    fn shl<const N: i32>(a: Self::I) -> Self::I {
+        // SAFETY: see `op!`.
+        unsafe { std::arch::x86_64::_mm256_slli_epi32::<N>(a) }
+    }
+    #[inline(always)]
+    fn shr<const N: i32>(a: Self::I) -> Self::I {
+        // SAFETY: see `op!`.
+        unsafe { std::arch::x86_64::_mm256_srli_epi32::<N>(a) }
+    }
+    op!(select(mask: Self::I, a: Self::I, b: Self::I) -> Self::I, {
+        use std::arch::x86_64::*;
+        _mm256_castps_si256(_mm256_blendv_ps(_mm256_castsi256_ps(b), _mm256_castsi256_ps(a), _mm256_castsi256_ps(mask)))
+    });
+    op!(signs(a: Self::I) -> u32, {
+        std::arch::x86_64::_mm256_movemask_ps(std::arch::x86_64::_mm256_castsi256_ps(a)) as u32
+    });
+    op!(mul16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_mullo_epi16(a, b));
+    op!(add16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_add_epi16(a, b));
+    op!(sub16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_sub_epi16(a, b));
+    #[inline(always)]
+    fn shr16<const N: i32>(a: Self::I) -> Self::I {
+        // SAFETY: see `op!`.
+        unsafe { std::arch::x86_64::_mm256_srli_epi16::<N>(a) }
+    }
+    op!(min16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_min_epi16(a, b));
+    op!(max16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_max_epi16(a, b));
+}
+
+/// Which spelling runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// [`Portable`]
+    Scalar,
+    /// `Avx2`
+    Avx2,
+}
+
+impl Level {
+    /// The best level of this machine.
+    pub fn best() -> Level {
+        static BEST: OnceLock<Level> = OnceLock::new();
+        *BEST.get_or_init(|| {
+            #[cfg(target_arch = "x86_64")]
+            if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+                return Level::Avx2;
+            }
+            Level::Scalar
+        })
+    }
+
+    /// What `TEPUI_SIMD=scalar|avx2|auto` asks for, as far as the machine has it.
+    pub fn from_environment() -> Level {
+        match std::env::var("TEPUI_SIMD").as_deref() {
+            Ok("scalar") => Level::Scalar,
+            _ => Level::best(),
+        }
+    }
+}
+
+/// Makes `fn name(level, args...)` of a generic `fn kernel<S: Simd>(args...)`, instantiated once a level.
+#[macro_export]
+#[doc(hidden)]
+macro_rules! dispatch {
+    ($(#[$m:meta])* $vis:vis fn $name:ident = $kernel:ident $(<$($l:lifetime),+>)? ($($a:ident: $t:ty),* $(,)?) $(-> $r:ty)?) => {
+        $(#[$m])*
+        $vis fn $name $(<$($l),+>)? (level: $crate::raster::simd::Level, $($a: $t),*) $(-> $r)? {
+            #[cfg(target_arch = "x86_64")]
+            {
+                #[target_feature(enable = "avx2,fma")]
+                fn wide $(<$($l),+>)? ($($a: $t),*) $(-> $r)? {
+                    $kernel::<$crate::raster::simd::Avx2>($($a),*)
+                }
+                if level == $crate::raster::simd::Level::Avx2 && $crate::raster::simd::Level::best() == level {
+                    // SAFETY: the features were detected just now.
+                    return unsafe { wide($($a),*) };
+                }
+            }
+            let _ = level;
+            $kernel::<$crate::raster::simd::Portable>($($a),*)
+        }
+    };
+}

@@ -1,0 +1,105 @@
+//! The CPU executor's image: bins of 64 x 64 pixels one after the other, in each its tiles, in each tile its 64
+//! pixels row by row. A row of a tile is one vector, a tile is four cache lines, a bin's pixels belong to one worker.
+
+use super::layout::{BIN_SIZE, TILE_SIZE};
+use crate::device::{DepthFormat, Pixels, SurfaceFormat};
+
+/// Pixels in a bin.
+pub const BIN_PIXELS: usize = (BIN_SIZE * BIN_SIZE) as usize;
+/// Tiles in a bin.
+pub const BIN_TILES: usize = ((BIN_SIZE / TILE_SIZE) * (BIN_SIZE / TILE_SIZE)) as usize;
+
+/// Index in its bin of the pixel (x, y) of the bin.
+#[inline(always)]
+pub fn pixel_index(x: u32, y: u32) -> usize {
+    ((y / 8 * 8 + x / 8) * 64 + y % 8 * 8 + x % 8) as usize
+}
+
+/// A surface's pixels by bins.
+pub struct Store {
+    /// Columns and rows of pixels.
+    pub size: [u32; 2],
+    /// Columns and rows of bins.
+    pub bins: [u32; 2],
+    /// Storage.
+    pub format: SurfaceFormat,
+    /// Colour words.
+    pub color: Vec<u32>,
+    /// Depth and stencil words (empty where the surface has neither).
+    pub depth_stencil: Vec<u32>,
+}
+
+/// A bin's pixels.
+pub struct BinPixels<'a> {
+    /// First column and row.
+    pub origin: [i32; 2],
+    /// Colour words.
+    pub color: &'a mut [u32],
+    /// Depth and stencil words.
+    pub depth_stencil: &'a mut [u32],
+}
+
+impl Store {
+    /// Zeroed.
+    pub fn new(width: u32, height: u32, format: SurfaceFormat) -> Store {
+        let bins = [width.div_ceil(BIN_SIZE), height.div_ceil(BIN_SIZE)];
+        let pixels = bins[0] as usize * bins[1] as usize * BIN_PIXELS;
+        let ds = format.depth != DepthFormat::None || format.stencil;
+        Store {
+            size: [width, height],
+            bins,
+            format,
+            color: vec![0; pixels * format.color.words()],
+            depth_stencil: vec![0; if ds { pixels } else { 0 }],
+        }
+    }
+
+    /// All bins, row by row.
+    pub fn split(&mut self) -> Vec<BinPixels<'_>> {
+        let columns = self.bins[0];
+        let words = self.format.color.words() * BIN_PIXELS;
+        let mut depth = self.depth_stencil.chunks_mut(BIN_PIXELS);
+        let bins = self.color.chunks_mut(words).enumerate().map(|(k, color)| BinPixels {
+            origin: [(k as u32 % columns * BIN_SIZE) as i32, (k as u32 / columns * BIN_SIZE) as i32],
+            color,
+            depth_stencil: depth.next().unwrap_or_default(),
+        });
+        bins.collect()
+    }
+
+    /// Calls `f(index in the store, index in rows, count)` for every run of pixels that are neighbours in both.
+    fn runs(size: [u32; 2], columns: u32, mut f: impl FnMut(usize, usize, usize)) {
+        for y in 0..size[1] {
+            for x in (0..size[0]).step_by(TILE_SIZE as usize) {
+                let bin = (y / BIN_SIZE * columns + x / BIN_SIZE) as usize;
+                let n = (size[0] - x).min(TILE_SIZE) as usize;
+                f(bin * BIN_PIXELS + pixel_index(x % BIN_SIZE, y % BIN_SIZE), y as usize * size[0] as usize + x as usize, n);
+            }
+        }
+    }
+
+    /// Copies to pixels in rows.
+    pub fn read(&self, to: &mut Pixels) {
+        let words = self.format.color.words();
+        let depth = !self.depth_stencil.is_empty();
+        Store::runs(self.size, self.bins[0], |at, row, n| {
+            to.color[row * words..(row + n) * words].copy_from_slice(&self.color[at * words..(at + n) * words]);
+            if depth {
+                to.depth_stencil[row..row + n].copy_from_slice(&self.depth_stencil[at..at + n]);
+            }
+        });
+    }
+
+    /// Copies from pixels in rows.
+    pub fn write(&mut self, from: &Pixels) {
+        let words = self.format.color.words();
+        let depth = !self.depth_stencil.is_empty();
+        let (color, ds) = (&mut self.color, &mut self.depth_stencil);
+        Store::runs(self.size, self.bins[0], |at, row, n| {
+            color[at * words..(at + n) * words].copy_from_slice(&from.color[row * words..(row + n) * words]);
+            if depth {
+                ds[at..at + n].copy_from_slice(&from.depth_stencil[row..row + n]);
+            }
+        });
+    }
+}
