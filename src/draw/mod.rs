@@ -8,6 +8,8 @@ use std::sync::Arc;
 use crate::program::Program;
 use crate::raster::layout::{DrawRecord, FragmentState, Primitive, RasterState};
 
+pub mod assembly;
+pub(crate) mod interner;
 pub mod recorder;
 pub mod texture;
 

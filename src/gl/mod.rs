@@ -16,6 +16,7 @@ pub mod begin_end;
 pub mod blending;
 pub(crate) mod checks;
 pub mod clip_plane;
+pub mod draws;
 pub mod enable;
 pub mod enums;
 pub mod fog;
@@ -74,6 +75,7 @@ pub struct Context {
     pub dirty: u32,
     /// The batch under construction.
     pub recorder: Recorder,
+    pub(crate) derived_topology: u32,
     pub(crate) immediate: Immediate,
     pub(crate) lists: list::ListState,
     attrib_stack: Vec<attrib_stack::SavedAttributes>,
@@ -163,6 +165,7 @@ impl Context {
             render_mode: GL_RENDER,
             dirty: dirty::ALL,
             recorder: Recorder::new(),
+            derived_topology: !0,
             immediate: Immediate::default(),
             lists: list::ListState::default(),
             attrib_stack: Vec::new(),
