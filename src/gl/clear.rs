@@ -1,0 +1,140 @@
+//! The whole framebuffer: clearing, the buffers that are drawn to and read from, viewport, depth range, scissor, and the
+//! commands that make results visible (2.11.1, 4.1.2, 4.2, 4.3.3, 5.5, 5.6).
+
+use super::enums::*;
+use super::{Context, dirty};
+use crate::draw::Clear;
+
+impl Context {
+    /// glClear.
+    pub fn clear(&mut self, mask: u32) {
+        if self.compile(move |cx| cx.clear(mask)) || self.inside_begin_end() {
+            return;
+        }
+        if mask & !(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT) != 0 {
+            return self.set_error(GL_INVALID_VALUE, "glClear: mask");
+        }
+        if self.render_mode != GL_RENDER || self.window.is_none() {
+            return;
+        }
+        let [width, height] = self.window_size.map(|size| size as i32);
+        let scissor = &self.state.scissor;
+        let (mut min, mut max) = ([0, 0], [width, height]);
+        if scissor.test {
+            // Rows of a window surface run downwards.
+            let (x0, x1) = (scissor.x, scissor.x.saturating_add(scissor.width));
+            let (y0, y1) = (scissor.y, scissor.y.saturating_add(scissor.height));
+            min = [x0.clamp(0, width), height - y1.clamp(0, height)];
+            max = [x1.clamp(0, width), height - y0.clamp(0, height)];
+        }
+        if min[0] >= max[0] || min[1] >= max[1] {
+            return;
+        }
+        let state = &self.state;
+        let color = &state.color_buffer;
+        let draws_color = mask & GL_COLOR_BUFFER_BIT != 0 && color.draw_buffer != GL_NONE;
+        let color_mask = if draws_color { (0..4).filter(|&c| color.color_mask[c]).fold(0, |bits, c| bits | 1 << c) } else { 0 };
+        let depth = (mask & GL_DEPTH_BUFFER_BIT != 0 && state.depth.write && self.config.depth_bits > 0).then_some(state.depth.clear);
+        let stencil = (mask & GL_STENCIL_BUFFER_BIT != 0 && self.config.stencil_bits > 0)
+            .then(|| (state.stencil.clear as u8, state.stencil.sides[0].write_mask as u8));
+        if color_mask != 0 || depth.is_some() || stencil.is_some() {
+            self.recorder.clear(Clear { min, max, color: color.clear_color, color_mask, depth, stencil });
+        }
+        if mask & GL_ACCUM_BUFFER_BIT != 0 {
+            self.clear_accum_buffer(min, max);
+        }
+    }
+
+    /// glViewport.
+    pub fn viewport(&mut self, x: i32, y: i32, width: i32, height: i32) {
+        if self.compile(move |cx| cx.viewport(x, y, width, height)) || self.inside_begin_end() {
+            return;
+        }
+        if width < 0 || height < 0 {
+            return self.set_error(GL_INVALID_VALUE, "glViewport: size");
+        }
+        let viewport = &mut self.state.viewport;
+        (viewport.x, viewport.y) = (x, y);
+        (viewport.width, viewport.height) = (width.min(MAX_VIEWPORT), height.min(MAX_VIEWPORT));
+        self.dirty |= dirty::TRANSFORM;
+    }
+
+    /// glDepthRange.
+    pub fn depth_range(&mut self, near: f64, far: f64) {
+        if self.compile(move |cx| cx.depth_range(near, far)) || self.inside_begin_end() {
+            return;
+        }
+        (self.state.viewport.near, self.state.viewport.far) = (near.clamp(0.0, 1.0), far.clamp(0.0, 1.0));
+        self.dirty |= dirty::TRANSFORM;
+    }
+
+    /// glScissor.
+    pub fn scissor(&mut self, x: i32, y: i32, width: i32, height: i32) {
+        if self.compile(move |cx| cx.scissor(x, y, width, height)) || self.inside_begin_end() {
+            return;
+        }
+        if width < 0 || height < 0 {
+            return self.set_error(GL_INVALID_VALUE, "glScissor: size");
+        }
+        let scissor = &mut self.state.scissor;
+        (scissor.x, scissor.y, scissor.width, scissor.height) = (x, y, width, height);
+        self.dirty |= dirty::RASTER;
+    }
+
+    /// glDrawBuffer. The window has one colour buffer, called front and back at once.
+    pub fn draw_buffer(&mut self, buffer: GLenum) {
+        if self.compile(move |cx| cx.draw_buffer(buffer)) || self.inside_begin_end() {
+            return;
+        }
+        match buffer {
+            GL_NONE | GL_FRONT | GL_BACK | GL_LEFT | GL_FRONT_LEFT | GL_BACK_LEFT | GL_FRONT_AND_BACK => {
+                self.state.color_buffer.draw_buffer = buffer;
+                self.dirty |= dirty::FRAGMENT;
+            }
+            GL_RIGHT | GL_FRONT_RIGHT | GL_BACK_RIGHT | GL_AUX0..=GL_AUX3 => {
+                self.set_error(GL_INVALID_OPERATION, "glDrawBuffer: no such buffer")
+            }
+            _ => self.set_error(GL_INVALID_ENUM, "glDrawBuffer: mode"),
+        }
+    }
+
+    /// glReadBuffer.
+    pub fn read_buffer(&mut self, buffer: GLenum) {
+        if self.compile(move |cx| cx.read_buffer(buffer)) || self.inside_begin_end() {
+            return;
+        }
+        match buffer {
+            GL_FRONT | GL_BACK | GL_LEFT | GL_FRONT_LEFT | GL_BACK_LEFT => self.state.pixel.read_buffer = buffer,
+            GL_RIGHT | GL_FRONT_RIGHT | GL_BACK_RIGHT | GL_AUX0..=GL_AUX3 => {
+                self.set_error(GL_INVALID_OPERATION, "glReadBuffer: no such buffer")
+            }
+            _ => self.set_error(GL_INVALID_ENUM, "glReadBuffer: mode"),
+        }
+    }
+
+    /// glFlush. Not compiled into lists, executed at once (5.4).
+    pub fn flush(&mut self) {
+        if !self.inside_begin_end() {
+            self.flush_batch();
+        }
+    }
+
+    /// glFinish.
+    pub fn finish(&mut self) {
+        if self.inside_begin_end() {
+            return;
+        }
+        self.flush_batch();
+        if let Some(window) = &mut self.window {
+            window.pixels();
+        }
+    }
+}
+
+impl Context {
+    /// room: pixels replaces this
+    fn clear_accum_buffer(&mut self, _min: [i32; 2], _max: [i32; 2]) {}
+}
+
+/// GL_MAX_VIEWPORT_DIMS.
+const MAX_VIEWPORT: i32 = 16384;
