@@ -12,8 +12,8 @@ SCENE(triangles_strip_fan, EXACT, 256, 256, 0, "long strips and fans, culled by 
         for (int i = 0; i < 40; i++) {
             glColor3d(i / 39.0, s / 7.0, 1 - i / 39.0);
             double x = 6 + i / 2 * 6.1, y = 10 + s * 15.3 + 4 * sin(i * 0.7);
-            if (s & 1) glVertex2d(x, y + (i & 1 ? 0 : 13));
-            else glVertex2d(x, y + (i & 1 ? 13 : 0));
+            if (s & 1) glVertex2d(x, y + (i & 1 ? 13 : 0));
+            else glVertex2d(x, y + (i & 1 ? 0 : 13));
         }
         glEnd();
     }

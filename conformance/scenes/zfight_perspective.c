@@ -5,7 +5,7 @@
 SCENE(zfight_perspective, EXACT, 1024, 768, 0, "400 coplanar triangles of both windings in perspective")
 {
     perspective(60, (double)width / height, 1, 100);
-    look_at(0, 3, 6, 0, 0, 0);
+    look_at(0, 2.6, 3.4, 0, 0, 0);
     glEnable(GL_DEPTH_TEST);
     seed(12);
     glBegin(GL_TRIANGLES);
