@@ -4,6 +4,7 @@
 
 mod bench;
 mod build;
+mod clients;
 mod compare;
 mod expectations;
 mod flip;
@@ -57,6 +58,8 @@ enum Command {
     Bench(bench::Options),
     /// 10,000 blended triangles, many runs, thread counts and SIMD levels: the same bits.
     Order(order::Options),
+    /// Programs built on other people's libraries (PyOpenGL, GLU, GLFW), unmodified.
+    Clients(clients::Options),
     /// Time from process start to the first frame.
     Start(start::Options),
 }
@@ -66,6 +69,7 @@ fn main() -> ExitCode {
         Command::Compare(options) => compare::main(&options),
         Command::Bench(options) => bench::main(&options),
         Command::Order(options) => order::main(&options),
+        Command::Clients(options) => clients::main(&options),
         Command::Start(options) => start::main(&options),
     };
     match outcome {
