@@ -84,6 +84,9 @@ pub struct Context {
     /// GL_RENDERER, once asked for.
     renderer: Option<std::ffi::CString>,
     pub(crate) pixel_objects: pixel_objects::PixelObjects,
+    /// The window's pixels changed since they were last handed out ([`flush_batch`](Self::flush_batch) sets it, and so must who
+    /// writes to the surface directly).
+    pub window_changed: bool,
     error: GLenum,
 }
 
@@ -173,6 +176,7 @@ impl Context {
             attrib_stack: Vec::new(),
             renderer: None,
             pixel_objects: Default::default(),
+            window_changed: false,
             error: GL_NO_ERROR,
         }
     }
@@ -227,10 +231,20 @@ impl Context {
     }
 
     /// Runs what was recorded so far, so that the window's pixels are up to date.
-    pub(crate) fn flush_batch(&mut self) {
+    pub fn flush_batch(&mut self) {
         let Some(batch) = self.recorder.take() else { return };
         if let Some(window) = &mut self.window {
             window.execute(batch);
+            self.window_changed = true;
         }
+    }
+
+    /// glFlush and glFinish, as far as the library's own buffers go: false between Begin and End.
+    pub fn flush(&mut self) -> bool {
+        if self.inside_begin_end() {
+            return false;
+        }
+        self.flush_batch();
+        true
     }
 }
