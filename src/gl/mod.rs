@@ -238,13 +238,4 @@ impl Context {
             self.window_changed = true;
         }
     }
-
-    /// glFlush and glFinish, as far as the library's own buffers go: false between Begin and End.
-    pub fn flush(&mut self) -> bool {
-        if self.inside_begin_end() {
-            return false;
-        }
-        self.flush_batch();
-        true
-    }
 }

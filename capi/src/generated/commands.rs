@@ -58,7 +58,7 @@ pub unsafe extern "C" fn glAttachShader(program: u32, shader: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glBegin(mode: u32) {
-    enter("glBegin", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glBegin", &SAID) })
+    enter("glBegin", |cx| cx.begin(mode))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glBeginQuery(target: u32, id: u32) {
@@ -182,7 +182,7 @@ pub unsafe extern "C" fn glBufferSubDataARB(target: u32, offset: isize, size: is
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCallList(list: u32) {
-    enter("glCallList", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCallList", &SAID) })
+    enter("glCallList", |cx| cx.call_list(list))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCallLists(n: i32, type_: u32, lists: *const c_void) {
@@ -202,7 +202,7 @@ pub unsafe extern "C" fn glClampColorARB(target: u32, clamp: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glClear(mask: u32) {
-    enter("glClear", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glClear", &SAID) })
+    enter("glClear", |cx| cx.clear(mask))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glClearAccum(red: f32, green: f32, blue: f32, alpha: f32) {
@@ -238,131 +238,131 @@ pub unsafe extern "C" fn glClipPlane(plane: u32, equation: *const f64) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3b(red: i8, green: i8, blue: i8) {
-    enter("glColor3b", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3b", &SAID) })
+    enter("glColor3b", |cx| cx.color(normalized::i8(red), normalized::i8(green), normalized::i8(blue), 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3bv(v: *const i8) {
-    enter("glColor3bv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3bv", &SAID) })
+    enter("glColor3bv", |cx| { let Some(v) = (unsafe { read::<i8, 3>(cx, "glColor3bv", v) }) else { return }; cx.color(normalized::i8(v[0]), normalized::i8(v[1]), normalized::i8(v[2]), 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3d(red: f64, green: f64, blue: f64) {
-    enter("glColor3d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3d", &SAID) })
+    enter("glColor3d", |cx| cx.color(red as f32, green as f32, blue as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3dv(v: *const f64) {
-    enter("glColor3dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3dv", &SAID) })
+    enter("glColor3dv", |cx| { let Some(v) = (unsafe { read::<f64, 3>(cx, "glColor3dv", v) }) else { return }; cx.color(v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3f(red: f32, green: f32, blue: f32) {
-    enter("glColor3f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3f", &SAID) })
+    enter("glColor3f", |cx| cx.color(red, green, blue, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3fv(v: *const f32) {
-    enter("glColor3fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3fv", &SAID) })
+    enter("glColor3fv", |cx| { let Some(v) = (unsafe { read::<f32, 3>(cx, "glColor3fv", v) }) else { return }; cx.color(v[0], v[1], v[2], 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3i(red: i32, green: i32, blue: i32) {
-    enter("glColor3i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3i", &SAID) })
+    enter("glColor3i", |cx| cx.color(normalized::i32(red), normalized::i32(green), normalized::i32(blue), 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3iv(v: *const i32) {
-    enter("glColor3iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3iv", &SAID) })
+    enter("glColor3iv", |cx| { let Some(v) = (unsafe { read::<i32, 3>(cx, "glColor3iv", v) }) else { return }; cx.color(normalized::i32(v[0]), normalized::i32(v[1]), normalized::i32(v[2]), 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3s(red: i16, green: i16, blue: i16) {
-    enter("glColor3s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3s", &SAID) })
+    enter("glColor3s", |cx| cx.color(normalized::i16(red), normalized::i16(green), normalized::i16(blue), 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3sv(v: *const i16) {
-    enter("glColor3sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3sv", &SAID) })
+    enter("glColor3sv", |cx| { let Some(v) = (unsafe { read::<i16, 3>(cx, "glColor3sv", v) }) else { return }; cx.color(normalized::i16(v[0]), normalized::i16(v[1]), normalized::i16(v[2]), 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3ub(red: u8, green: u8, blue: u8) {
-    enter("glColor3ub", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3ub", &SAID) })
+    enter("glColor3ub", |cx| cx.color(normalized::u8(red), normalized::u8(green), normalized::u8(blue), 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3ubv(v: *const u8) {
-    enter("glColor3ubv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3ubv", &SAID) })
+    enter("glColor3ubv", |cx| { let Some(v) = (unsafe { read::<u8, 3>(cx, "glColor3ubv", v) }) else { return }; cx.color(normalized::u8(v[0]), normalized::u8(v[1]), normalized::u8(v[2]), 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3ui(red: u32, green: u32, blue: u32) {
-    enter("glColor3ui", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3ui", &SAID) })
+    enter("glColor3ui", |cx| cx.color(normalized::u32(red), normalized::u32(green), normalized::u32(blue), 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3uiv(v: *const u32) {
-    enter("glColor3uiv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3uiv", &SAID) })
+    enter("glColor3uiv", |cx| { let Some(v) = (unsafe { read::<u32, 3>(cx, "glColor3uiv", v) }) else { return }; cx.color(normalized::u32(v[0]), normalized::u32(v[1]), normalized::u32(v[2]), 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3us(red: u16, green: u16, blue: u16) {
-    enter("glColor3us", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3us", &SAID) })
+    enter("glColor3us", |cx| cx.color(normalized::u16(red), normalized::u16(green), normalized::u16(blue), 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3usv(v: *const u16) {
-    enter("glColor3usv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor3usv", &SAID) })
+    enter("glColor3usv", |cx| { let Some(v) = (unsafe { read::<u16, 3>(cx, "glColor3usv", v) }) else { return }; cx.color(normalized::u16(v[0]), normalized::u16(v[1]), normalized::u16(v[2]), 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4b(red: i8, green: i8, blue: i8, alpha: i8) {
-    enter("glColor4b", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4b", &SAID) })
+    enter("glColor4b", |cx| cx.color(normalized::i8(red), normalized::i8(green), normalized::i8(blue), normalized::i8(alpha)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4bv(v: *const i8) {
-    enter("glColor4bv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4bv", &SAID) })
+    enter("glColor4bv", |cx| { let Some(v) = (unsafe { read::<i8, 4>(cx, "glColor4bv", v) }) else { return }; cx.color(normalized::i8(v[0]), normalized::i8(v[1]), normalized::i8(v[2]), normalized::i8(v[3])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4d(red: f64, green: f64, blue: f64, alpha: f64) {
-    enter("glColor4d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4d", &SAID) })
+    enter("glColor4d", |cx| cx.color(red as f32, green as f32, blue as f32, alpha as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4dv(v: *const f64) {
-    enter("glColor4dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4dv", &SAID) })
+    enter("glColor4dv", |cx| { let Some(v) = (unsafe { read::<f64, 4>(cx, "glColor4dv", v) }) else { return }; cx.color(v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4f(red: f32, green: f32, blue: f32, alpha: f32) {
-    enter("glColor4f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4f", &SAID) })
+    enter("glColor4f", |cx| cx.color(red, green, blue, alpha))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4fv(v: *const f32) {
-    enter("glColor4fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4fv", &SAID) })
+    enter("glColor4fv", |cx| { let Some(v) = (unsafe { read::<f32, 4>(cx, "glColor4fv", v) }) else { return }; cx.color(v[0], v[1], v[2], v[3]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4i(red: i32, green: i32, blue: i32, alpha: i32) {
-    enter("glColor4i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4i", &SAID) })
+    enter("glColor4i", |cx| cx.color(normalized::i32(red), normalized::i32(green), normalized::i32(blue), normalized::i32(alpha)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4iv(v: *const i32) {
-    enter("glColor4iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4iv", &SAID) })
+    enter("glColor4iv", |cx| { let Some(v) = (unsafe { read::<i32, 4>(cx, "glColor4iv", v) }) else { return }; cx.color(normalized::i32(v[0]), normalized::i32(v[1]), normalized::i32(v[2]), normalized::i32(v[3])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4s(red: i16, green: i16, blue: i16, alpha: i16) {
-    enter("glColor4s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4s", &SAID) })
+    enter("glColor4s", |cx| cx.color(normalized::i16(red), normalized::i16(green), normalized::i16(blue), normalized::i16(alpha)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4sv(v: *const i16) {
-    enter("glColor4sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4sv", &SAID) })
+    enter("glColor4sv", |cx| { let Some(v) = (unsafe { read::<i16, 4>(cx, "glColor4sv", v) }) else { return }; cx.color(normalized::i16(v[0]), normalized::i16(v[1]), normalized::i16(v[2]), normalized::i16(v[3])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4ub(red: u8, green: u8, blue: u8, alpha: u8) {
-    enter("glColor4ub", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4ub", &SAID) })
+    enter("glColor4ub", |cx| cx.color(normalized::u8(red), normalized::u8(green), normalized::u8(blue), normalized::u8(alpha)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4ubv(v: *const u8) {
-    enter("glColor4ubv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4ubv", &SAID) })
+    enter("glColor4ubv", |cx| { let Some(v) = (unsafe { read::<u8, 4>(cx, "glColor4ubv", v) }) else { return }; cx.color(normalized::u8(v[0]), normalized::u8(v[1]), normalized::u8(v[2]), normalized::u8(v[3])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4ui(red: u32, green: u32, blue: u32, alpha: u32) {
-    enter("glColor4ui", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4ui", &SAID) })
+    enter("glColor4ui", |cx| cx.color(normalized::u32(red), normalized::u32(green), normalized::u32(blue), normalized::u32(alpha)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4uiv(v: *const u32) {
-    enter("glColor4uiv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4uiv", &SAID) })
+    enter("glColor4uiv", |cx| { let Some(v) = (unsafe { read::<u32, 4>(cx, "glColor4uiv", v) }) else { return }; cx.color(normalized::u32(v[0]), normalized::u32(v[1]), normalized::u32(v[2]), normalized::u32(v[3])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4us(red: u16, green: u16, blue: u16, alpha: u16) {
-    enter("glColor4us", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4us", &SAID) })
+    enter("glColor4us", |cx| cx.color(normalized::u16(red), normalized::u16(green), normalized::u16(blue), normalized::u16(alpha)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor4usv(v: *const u16) {
-    enter("glColor4usv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColor4usv", &SAID) })
+    enter("glColor4usv", |cx| { let Some(v) = (unsafe { read::<u16, 4>(cx, "glColor4usv", v) }) else { return }; cx.color(normalized::u16(v[0]), normalized::u16(v[1]), normalized::u16(v[2]), normalized::u16(v[3])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColorMask(red: u8, green: u8, blue: u8, alpha: u8) {
@@ -574,7 +574,7 @@ pub unsafe extern "C" fn glDeleteFramebuffersEXT(n: i32, framebuffers: *const u3
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDeleteLists(list: u32, range: i32) {
-    enter("glDeleteLists", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDeleteLists", &SAID) })
+    enter("glDeleteLists", |cx| cx.delete_lists(list, range))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDeleteObjectARB(obj: u32) {
@@ -626,7 +626,7 @@ pub unsafe extern "C" fn glDepthMask(flag: u8) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDepthRange(n: f64, f: f64) {
-    enter("glDepthRange", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDepthRange", &SAID) })
+    enter("glDepthRange", |cx| cx.depth_range(n, f))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDetachObjectARB(containerObj: u32, attachedObj: u32) {
@@ -662,7 +662,7 @@ pub unsafe extern "C" fn glDrawArraysEXT(mode: u32, first: i32, count: i32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawBuffer(buf: u32) {
-    enter("glDrawBuffer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDrawBuffer", &SAID) })
+    enter("glDrawBuffer", |cx| cx.draw_buffer(buf))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawBuffers(n: i32, bufs: *const u32) {
@@ -690,7 +690,7 @@ pub unsafe extern "C" fn glDrawRangeElementsEXT(mode: u32, start: u32, end: u32,
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEdgeFlag(flag: u8) {
-    enter("glEdgeFlag", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEdgeFlag", &SAID) })
+    enter("glEdgeFlag", |cx| cx.edge_flag(flag != 0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEdgeFlagPointer(stride: i32, pointer: *const c_void) {
@@ -722,11 +722,11 @@ pub unsafe extern "C" fn glEnableVertexAttribArrayARB(index: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEnd() {
-    enter("glEnd", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEnd", &SAID) })
+    enter("glEnd", |cx| cx.end())
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEndList() {
-    enter("glEndList", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEndList", &SAID) })
+    enter("glEndList", |cx| cx.end_list())
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEndQuery(target: u32) {
@@ -806,35 +806,35 @@ pub unsafe extern "C" fn glFogCoordPointerEXT(type_: u32, stride: i32, pointer: 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogCoordd(coord: f64) {
-    enter("glFogCoordd", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogCoordd", &SAID) })
+    enter("glFogCoordd", |cx| cx.fog_coord(coord as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogCoorddEXT(coord: f64) {
-    enter("glFogCoorddEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogCoorddEXT", &SAID) })
+    enter("glFogCoorddEXT", |cx| cx.fog_coord(coord as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogCoorddv(coord: *const f64) {
-    enter("glFogCoorddv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogCoorddv", &SAID) })
+    enter("glFogCoorddv", |cx| { let Some(coord) = (unsafe { read::<f64, 1>(cx, "glFogCoorddv", coord) }) else { return }; cx.fog_coord(coord[0] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogCoorddvEXT(coord: *const f64) {
-    enter("glFogCoorddvEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogCoorddvEXT", &SAID) })
+    enter("glFogCoorddvEXT", |cx| { let Some(coord) = (unsafe { read::<f64, 1>(cx, "glFogCoorddvEXT", coord) }) else { return }; cx.fog_coord(coord[0] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogCoordf(coord: f32) {
-    enter("glFogCoordf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogCoordf", &SAID) })
+    enter("glFogCoordf", |cx| cx.fog_coord(coord))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogCoordfEXT(coord: f32) {
-    enter("glFogCoordfEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogCoordfEXT", &SAID) })
+    enter("glFogCoordfEXT", |cx| cx.fog_coord(coord))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogCoordfv(coord: *const f32) {
-    enter("glFogCoordfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogCoordfv", &SAID) })
+    enter("glFogCoordfv", |cx| { let Some(coord) = (unsafe { read::<f32, 1>(cx, "glFogCoordfv", coord) }) else { return }; cx.fog_coord(coord[0]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogCoordfvEXT(coord: *const f32) {
-    enter("glFogCoordfvEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogCoordfvEXT", &SAID) })
+    enter("glFogCoordfvEXT", |cx| { let Some(coord) = (unsafe { read::<f32, 1>(cx, "glFogCoordfvEXT", coord) }) else { return }; cx.fog_coord(coord[0]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogf(pname: u32, param: f32) {
@@ -894,7 +894,7 @@ pub unsafe extern "C" fn glFrontFace(mode: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFrustum(left: f64, right: f64, bottom: f64, top: f64, zNear: f64, zFar: f64) {
-    enter("glFrustum", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFrustum", &SAID) })
+    enter("glFrustum", |cx| cx.frustum(left, right, bottom, top, zNear, zFar))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenBuffers(n: i32, buffers: *mut u32) {
@@ -914,7 +914,7 @@ pub unsafe extern "C" fn glGenFramebuffersEXT(n: i32, framebuffers: *mut u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenLists(range: i32) -> u32 {
-    enter("glGenLists", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGenLists", &SAID) })
+    enter("glGenLists", |cx| cx.gen_lists(range))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenProgramsARB(n: i32, programs: *mut u32) {
@@ -1370,43 +1370,43 @@ pub unsafe extern "C" fn glIndexPointerEXT(type_: u32, stride: i32, count: i32, 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIndexd(c: f64) {
-    enter("glIndexd", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIndexd", &SAID) })
+    enter("glIndexd", |cx| cx.index(c as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIndexdv(c: *const f64) {
-    enter("glIndexdv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIndexdv", &SAID) })
+    enter("glIndexdv", |cx| { let Some(c) = (unsafe { read::<f64, 1>(cx, "glIndexdv", c) }) else { return }; cx.index(c[0] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIndexf(c: f32) {
-    enter("glIndexf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIndexf", &SAID) })
+    enter("glIndexf", |cx| cx.index(c))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIndexfv(c: *const f32) {
-    enter("glIndexfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIndexfv", &SAID) })
+    enter("glIndexfv", |cx| { let Some(c) = (unsafe { read::<f32, 1>(cx, "glIndexfv", c) }) else { return }; cx.index(c[0]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIndexi(c: i32) {
-    enter("glIndexi", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIndexi", &SAID) })
+    enter("glIndexi", |cx| cx.index(c as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIndexiv(c: *const i32) {
-    enter("glIndexiv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIndexiv", &SAID) })
+    enter("glIndexiv", |cx| { let Some(c) = (unsafe { read::<i32, 1>(cx, "glIndexiv", c) }) else { return }; cx.index(c[0] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIndexs(c: i16) {
-    enter("glIndexs", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIndexs", &SAID) })
+    enter("glIndexs", |cx| cx.index(c as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIndexsv(c: *const i16) {
-    enter("glIndexsv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIndexsv", &SAID) })
+    enter("glIndexsv", |cx| { let Some(c) = (unsafe { read::<i16, 1>(cx, "glIndexsv", c) }) else { return }; cx.index(c[0] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIndexub(c: u8) {
-    enter("glIndexub", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIndexub", &SAID) })
+    enter("glIndexub", |cx| cx.index(c as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIndexubv(c: *const u8) {
-    enter("glIndexubv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIndexubv", &SAID) })
+    enter("glIndexubv", |cx| { let Some(c) = (unsafe { read::<u8, 1>(cx, "glIndexubv", c) }) else { return }; cx.index(c[0] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glInitNames() {
@@ -1438,7 +1438,7 @@ pub unsafe extern "C" fn glIsFramebufferEXT(framebuffer: u32) -> u8 {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIsList(list: u32) -> u8 {
-    enter("glIsList", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIsList", &SAID) })
+    enter("glIsList", |cx| cx.is_list(list) as u8)
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIsProgram(program: u32) -> u8 {
@@ -1526,11 +1526,11 @@ pub unsafe extern "C" fn glLinkProgramARB(programObj: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glListBase(base: u32) {
-    enter("glListBase", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glListBase", &SAID) })
+    enter("glListBase", |cx| cx.list_base(base))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLoadIdentity() {
-    enter("glLoadIdentity", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLoadIdentity", &SAID) })
+    enter("glLoadIdentity", |cx| cx.load_identity())
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLoadMatrixd(m: *const f64) {
@@ -1626,7 +1626,7 @@ pub unsafe extern "C" fn glMaterialiv(face: u32, pname: u32, params: *const i32)
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMatrixMode(mode: u32) {
-    enter("glMatrixMode", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMatrixMode", &SAID) })
+    enter("glMatrixMode", |cx| cx.matrix_mode(mode))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMinmax(target: u32, internalformat: u32, sink: u8) {
@@ -1674,303 +1674,303 @@ pub unsafe extern "C" fn glMultiDrawElementsEXT(mode: u32, count: *const i32, ty
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1d(target: u32, s: f64) {
-    enter("glMultiTexCoord1d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1d", &SAID) })
+    enter("glMultiTexCoord1d", |cx| cx.multi_tex_coord(target, s as f32, 0.0, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1dARB(target: u32, s: f64) {
-    enter("glMultiTexCoord1dARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1dARB", &SAID) })
+    enter("glMultiTexCoord1dARB", |cx| cx.multi_tex_coord(target, s as f32, 0.0, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1dv(target: u32, v: *const f64) {
-    enter("glMultiTexCoord1dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1dv", &SAID) })
+    enter("glMultiTexCoord1dv", |cx| { let Some(v) = (unsafe { read::<f64, 1>(cx, "glMultiTexCoord1dv", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, 0.0, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1dvARB(target: u32, v: *const f64) {
-    enter("glMultiTexCoord1dvARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1dvARB", &SAID) })
+    enter("glMultiTexCoord1dvARB", |cx| { let Some(v) = (unsafe { read::<f64, 1>(cx, "glMultiTexCoord1dvARB", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, 0.0, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1f(target: u32, s: f32) {
-    enter("glMultiTexCoord1f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1f", &SAID) })
+    enter("glMultiTexCoord1f", |cx| cx.multi_tex_coord(target, s, 0.0, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1fARB(target: u32, s: f32) {
-    enter("glMultiTexCoord1fARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1fARB", &SAID) })
+    enter("glMultiTexCoord1fARB", |cx| cx.multi_tex_coord(target, s, 0.0, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1fv(target: u32, v: *const f32) {
-    enter("glMultiTexCoord1fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1fv", &SAID) })
+    enter("glMultiTexCoord1fv", |cx| { let Some(v) = (unsafe { read::<f32, 1>(cx, "glMultiTexCoord1fv", v) }) else { return }; cx.multi_tex_coord(target, v[0], 0.0, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1fvARB(target: u32, v: *const f32) {
-    enter("glMultiTexCoord1fvARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1fvARB", &SAID) })
+    enter("glMultiTexCoord1fvARB", |cx| { let Some(v) = (unsafe { read::<f32, 1>(cx, "glMultiTexCoord1fvARB", v) }) else { return }; cx.multi_tex_coord(target, v[0], 0.0, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1i(target: u32, s: i32) {
-    enter("glMultiTexCoord1i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1i", &SAID) })
+    enter("glMultiTexCoord1i", |cx| cx.multi_tex_coord(target, s as f32, 0.0, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1iARB(target: u32, s: i32) {
-    enter("glMultiTexCoord1iARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1iARB", &SAID) })
+    enter("glMultiTexCoord1iARB", |cx| cx.multi_tex_coord(target, s as f32, 0.0, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1iv(target: u32, v: *const i32) {
-    enter("glMultiTexCoord1iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1iv", &SAID) })
+    enter("glMultiTexCoord1iv", |cx| { let Some(v) = (unsafe { read::<i32, 1>(cx, "glMultiTexCoord1iv", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, 0.0, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1ivARB(target: u32, v: *const i32) {
-    enter("glMultiTexCoord1ivARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1ivARB", &SAID) })
+    enter("glMultiTexCoord1ivARB", |cx| { let Some(v) = (unsafe { read::<i32, 1>(cx, "glMultiTexCoord1ivARB", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, 0.0, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1s(target: u32, s: i16) {
-    enter("glMultiTexCoord1s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1s", &SAID) })
+    enter("glMultiTexCoord1s", |cx| cx.multi_tex_coord(target, s as f32, 0.0, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1sARB(target: u32, s: i16) {
-    enter("glMultiTexCoord1sARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1sARB", &SAID) })
+    enter("glMultiTexCoord1sARB", |cx| cx.multi_tex_coord(target, s as f32, 0.0, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1sv(target: u32, v: *const i16) {
-    enter("glMultiTexCoord1sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1sv", &SAID) })
+    enter("glMultiTexCoord1sv", |cx| { let Some(v) = (unsafe { read::<i16, 1>(cx, "glMultiTexCoord1sv", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, 0.0, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1svARB(target: u32, v: *const i16) {
-    enter("glMultiTexCoord1svARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord1svARB", &SAID) })
+    enter("glMultiTexCoord1svARB", |cx| { let Some(v) = (unsafe { read::<i16, 1>(cx, "glMultiTexCoord1svARB", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, 0.0, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2d(target: u32, s: f64, t: f64) {
-    enter("glMultiTexCoord2d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2d", &SAID) })
+    enter("glMultiTexCoord2d", |cx| cx.multi_tex_coord(target, s as f32, t as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2dARB(target: u32, s: f64, t: f64) {
-    enter("glMultiTexCoord2dARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2dARB", &SAID) })
+    enter("glMultiTexCoord2dARB", |cx| cx.multi_tex_coord(target, s as f32, t as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2dv(target: u32, v: *const f64) {
-    enter("glMultiTexCoord2dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2dv", &SAID) })
+    enter("glMultiTexCoord2dv", |cx| { let Some(v) = (unsafe { read::<f64, 2>(cx, "glMultiTexCoord2dv", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2dvARB(target: u32, v: *const f64) {
-    enter("glMultiTexCoord2dvARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2dvARB", &SAID) })
+    enter("glMultiTexCoord2dvARB", |cx| { let Some(v) = (unsafe { read::<f64, 2>(cx, "glMultiTexCoord2dvARB", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2f(target: u32, s: f32, t: f32) {
-    enter("glMultiTexCoord2f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2f", &SAID) })
+    enter("glMultiTexCoord2f", |cx| cx.multi_tex_coord(target, s, t, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2fARB(target: u32, s: f32, t: f32) {
-    enter("glMultiTexCoord2fARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2fARB", &SAID) })
+    enter("glMultiTexCoord2fARB", |cx| cx.multi_tex_coord(target, s, t, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2fv(target: u32, v: *const f32) {
-    enter("glMultiTexCoord2fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2fv", &SAID) })
+    enter("glMultiTexCoord2fv", |cx| { let Some(v) = (unsafe { read::<f32, 2>(cx, "glMultiTexCoord2fv", v) }) else { return }; cx.multi_tex_coord(target, v[0], v[1], 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2fvARB(target: u32, v: *const f32) {
-    enter("glMultiTexCoord2fvARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2fvARB", &SAID) })
+    enter("glMultiTexCoord2fvARB", |cx| { let Some(v) = (unsafe { read::<f32, 2>(cx, "glMultiTexCoord2fvARB", v) }) else { return }; cx.multi_tex_coord(target, v[0], v[1], 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2i(target: u32, s: i32, t: i32) {
-    enter("glMultiTexCoord2i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2i", &SAID) })
+    enter("glMultiTexCoord2i", |cx| cx.multi_tex_coord(target, s as f32, t as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2iARB(target: u32, s: i32, t: i32) {
-    enter("glMultiTexCoord2iARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2iARB", &SAID) })
+    enter("glMultiTexCoord2iARB", |cx| cx.multi_tex_coord(target, s as f32, t as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2iv(target: u32, v: *const i32) {
-    enter("glMultiTexCoord2iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2iv", &SAID) })
+    enter("glMultiTexCoord2iv", |cx| { let Some(v) = (unsafe { read::<i32, 2>(cx, "glMultiTexCoord2iv", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2ivARB(target: u32, v: *const i32) {
-    enter("glMultiTexCoord2ivARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2ivARB", &SAID) })
+    enter("glMultiTexCoord2ivARB", |cx| { let Some(v) = (unsafe { read::<i32, 2>(cx, "glMultiTexCoord2ivARB", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2s(target: u32, s: i16, t: i16) {
-    enter("glMultiTexCoord2s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2s", &SAID) })
+    enter("glMultiTexCoord2s", |cx| cx.multi_tex_coord(target, s as f32, t as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2sARB(target: u32, s: i16, t: i16) {
-    enter("glMultiTexCoord2sARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2sARB", &SAID) })
+    enter("glMultiTexCoord2sARB", |cx| cx.multi_tex_coord(target, s as f32, t as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2sv(target: u32, v: *const i16) {
-    enter("glMultiTexCoord2sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2sv", &SAID) })
+    enter("glMultiTexCoord2sv", |cx| { let Some(v) = (unsafe { read::<i16, 2>(cx, "glMultiTexCoord2sv", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord2svARB(target: u32, v: *const i16) {
-    enter("glMultiTexCoord2svARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord2svARB", &SAID) })
+    enter("glMultiTexCoord2svARB", |cx| { let Some(v) = (unsafe { read::<i16, 2>(cx, "glMultiTexCoord2svARB", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3d(target: u32, s: f64, t: f64, r: f64) {
-    enter("glMultiTexCoord3d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3d", &SAID) })
+    enter("glMultiTexCoord3d", |cx| cx.multi_tex_coord(target, s as f32, t as f32, r as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3dARB(target: u32, s: f64, t: f64, r: f64) {
-    enter("glMultiTexCoord3dARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3dARB", &SAID) })
+    enter("glMultiTexCoord3dARB", |cx| cx.multi_tex_coord(target, s as f32, t as f32, r as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3dv(target: u32, v: *const f64) {
-    enter("glMultiTexCoord3dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3dv", &SAID) })
+    enter("glMultiTexCoord3dv", |cx| { let Some(v) = (unsafe { read::<f64, 3>(cx, "glMultiTexCoord3dv", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3dvARB(target: u32, v: *const f64) {
-    enter("glMultiTexCoord3dvARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3dvARB", &SAID) })
+    enter("glMultiTexCoord3dvARB", |cx| { let Some(v) = (unsafe { read::<f64, 3>(cx, "glMultiTexCoord3dvARB", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3f(target: u32, s: f32, t: f32, r: f32) {
-    enter("glMultiTexCoord3f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3f", &SAID) })
+    enter("glMultiTexCoord3f", |cx| cx.multi_tex_coord(target, s, t, r, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3fARB(target: u32, s: f32, t: f32, r: f32) {
-    enter("glMultiTexCoord3fARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3fARB", &SAID) })
+    enter("glMultiTexCoord3fARB", |cx| cx.multi_tex_coord(target, s, t, r, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3fv(target: u32, v: *const f32) {
-    enter("glMultiTexCoord3fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3fv", &SAID) })
+    enter("glMultiTexCoord3fv", |cx| { let Some(v) = (unsafe { read::<f32, 3>(cx, "glMultiTexCoord3fv", v) }) else { return }; cx.multi_tex_coord(target, v[0], v[1], v[2], 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3fvARB(target: u32, v: *const f32) {
-    enter("glMultiTexCoord3fvARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3fvARB", &SAID) })
+    enter("glMultiTexCoord3fvARB", |cx| { let Some(v) = (unsafe { read::<f32, 3>(cx, "glMultiTexCoord3fvARB", v) }) else { return }; cx.multi_tex_coord(target, v[0], v[1], v[2], 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3i(target: u32, s: i32, t: i32, r: i32) {
-    enter("glMultiTexCoord3i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3i", &SAID) })
+    enter("glMultiTexCoord3i", |cx| cx.multi_tex_coord(target, s as f32, t as f32, r as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3iARB(target: u32, s: i32, t: i32, r: i32) {
-    enter("glMultiTexCoord3iARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3iARB", &SAID) })
+    enter("glMultiTexCoord3iARB", |cx| cx.multi_tex_coord(target, s as f32, t as f32, r as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3iv(target: u32, v: *const i32) {
-    enter("glMultiTexCoord3iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3iv", &SAID) })
+    enter("glMultiTexCoord3iv", |cx| { let Some(v) = (unsafe { read::<i32, 3>(cx, "glMultiTexCoord3iv", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3ivARB(target: u32, v: *const i32) {
-    enter("glMultiTexCoord3ivARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3ivARB", &SAID) })
+    enter("glMultiTexCoord3ivARB", |cx| { let Some(v) = (unsafe { read::<i32, 3>(cx, "glMultiTexCoord3ivARB", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3s(target: u32, s: i16, t: i16, r: i16) {
-    enter("glMultiTexCoord3s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3s", &SAID) })
+    enter("glMultiTexCoord3s", |cx| cx.multi_tex_coord(target, s as f32, t as f32, r as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3sARB(target: u32, s: i16, t: i16, r: i16) {
-    enter("glMultiTexCoord3sARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3sARB", &SAID) })
+    enter("glMultiTexCoord3sARB", |cx| cx.multi_tex_coord(target, s as f32, t as f32, r as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3sv(target: u32, v: *const i16) {
-    enter("glMultiTexCoord3sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3sv", &SAID) })
+    enter("glMultiTexCoord3sv", |cx| { let Some(v) = (unsafe { read::<i16, 3>(cx, "glMultiTexCoord3sv", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord3svARB(target: u32, v: *const i16) {
-    enter("glMultiTexCoord3svARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord3svARB", &SAID) })
+    enter("glMultiTexCoord3svARB", |cx| { let Some(v) = (unsafe { read::<i16, 3>(cx, "glMultiTexCoord3svARB", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4d(target: u32, s: f64, t: f64, r: f64, q: f64) {
-    enter("glMultiTexCoord4d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4d", &SAID) })
+    enter("glMultiTexCoord4d", |cx| cx.multi_tex_coord(target, s as f32, t as f32, r as f32, q as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4dARB(target: u32, s: f64, t: f64, r: f64, q: f64) {
-    enter("glMultiTexCoord4dARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4dARB", &SAID) })
+    enter("glMultiTexCoord4dARB", |cx| cx.multi_tex_coord(target, s as f32, t as f32, r as f32, q as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4dv(target: u32, v: *const f64) {
-    enter("glMultiTexCoord4dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4dv", &SAID) })
+    enter("glMultiTexCoord4dv", |cx| { let Some(v) = (unsafe { read::<f64, 4>(cx, "glMultiTexCoord4dv", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4dvARB(target: u32, v: *const f64) {
-    enter("glMultiTexCoord4dvARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4dvARB", &SAID) })
+    enter("glMultiTexCoord4dvARB", |cx| { let Some(v) = (unsafe { read::<f64, 4>(cx, "glMultiTexCoord4dvARB", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4f(target: u32, s: f32, t: f32, r: f32, q: f32) {
-    enter("glMultiTexCoord4f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4f", &SAID) })
+    enter("glMultiTexCoord4f", |cx| cx.multi_tex_coord(target, s, t, r, q))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4fARB(target: u32, s: f32, t: f32, r: f32, q: f32) {
-    enter("glMultiTexCoord4fARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4fARB", &SAID) })
+    enter("glMultiTexCoord4fARB", |cx| cx.multi_tex_coord(target, s, t, r, q))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4fv(target: u32, v: *const f32) {
-    enter("glMultiTexCoord4fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4fv", &SAID) })
+    enter("glMultiTexCoord4fv", |cx| { let Some(v) = (unsafe { read::<f32, 4>(cx, "glMultiTexCoord4fv", v) }) else { return }; cx.multi_tex_coord(target, v[0], v[1], v[2], v[3]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4fvARB(target: u32, v: *const f32) {
-    enter("glMultiTexCoord4fvARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4fvARB", &SAID) })
+    enter("glMultiTexCoord4fvARB", |cx| { let Some(v) = (unsafe { read::<f32, 4>(cx, "glMultiTexCoord4fvARB", v) }) else { return }; cx.multi_tex_coord(target, v[0], v[1], v[2], v[3]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4i(target: u32, s: i32, t: i32, r: i32, q: i32) {
-    enter("glMultiTexCoord4i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4i", &SAID) })
+    enter("glMultiTexCoord4i", |cx| cx.multi_tex_coord(target, s as f32, t as f32, r as f32, q as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4iARB(target: u32, s: i32, t: i32, r: i32, q: i32) {
-    enter("glMultiTexCoord4iARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4iARB", &SAID) })
+    enter("glMultiTexCoord4iARB", |cx| cx.multi_tex_coord(target, s as f32, t as f32, r as f32, q as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4iv(target: u32, v: *const i32) {
-    enter("glMultiTexCoord4iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4iv", &SAID) })
+    enter("glMultiTexCoord4iv", |cx| { let Some(v) = (unsafe { read::<i32, 4>(cx, "glMultiTexCoord4iv", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4ivARB(target: u32, v: *const i32) {
-    enter("glMultiTexCoord4ivARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4ivARB", &SAID) })
+    enter("glMultiTexCoord4ivARB", |cx| { let Some(v) = (unsafe { read::<i32, 4>(cx, "glMultiTexCoord4ivARB", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4s(target: u32, s: i16, t: i16, r: i16, q: i16) {
-    enter("glMultiTexCoord4s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4s", &SAID) })
+    enter("glMultiTexCoord4s", |cx| cx.multi_tex_coord(target, s as f32, t as f32, r as f32, q as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4sARB(target: u32, s: i16, t: i16, r: i16, q: i16) {
-    enter("glMultiTexCoord4sARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4sARB", &SAID) })
+    enter("glMultiTexCoord4sARB", |cx| cx.multi_tex_coord(target, s as f32, t as f32, r as f32, q as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4sv(target: u32, v: *const i16) {
-    enter("glMultiTexCoord4sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4sv", &SAID) })
+    enter("glMultiTexCoord4sv", |cx| { let Some(v) = (unsafe { read::<i16, 4>(cx, "glMultiTexCoord4sv", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord4svARB(target: u32, v: *const i16) {
-    enter("glMultiTexCoord4svARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiTexCoord4svARB", &SAID) })
+    enter("glMultiTexCoord4svARB", |cx| { let Some(v) = (unsafe { read::<i16, 4>(cx, "glMultiTexCoord4svARB", v) }) else { return }; cx.multi_tex_coord(target, v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNewList(list: u32, mode: u32) {
-    enter("glNewList", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glNewList", &SAID) })
+    enter("glNewList", |cx| cx.new_list(list, mode))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNormal3b(nx: i8, ny: i8, nz: i8) {
-    enter("glNormal3b", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glNormal3b", &SAID) })
+    enter("glNormal3b", |cx| cx.normal(normalized::i8(nx), normalized::i8(ny), normalized::i8(nz)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNormal3bv(v: *const i8) {
-    enter("glNormal3bv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glNormal3bv", &SAID) })
+    enter("glNormal3bv", |cx| { let Some(v) = (unsafe { read::<i8, 3>(cx, "glNormal3bv", v) }) else { return }; cx.normal(normalized::i8(v[0]), normalized::i8(v[1]), normalized::i8(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNormal3d(nx: f64, ny: f64, nz: f64) {
-    enter("glNormal3d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glNormal3d", &SAID) })
+    enter("glNormal3d", |cx| cx.normal(nx as f32, ny as f32, nz as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNormal3dv(v: *const f64) {
-    enter("glNormal3dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glNormal3dv", &SAID) })
+    enter("glNormal3dv", |cx| { let Some(v) = (unsafe { read::<f64, 3>(cx, "glNormal3dv", v) }) else { return }; cx.normal(v[0] as f32, v[1] as f32, v[2] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNormal3f(nx: f32, ny: f32, nz: f32) {
-    enter("glNormal3f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glNormal3f", &SAID) })
+    enter("glNormal3f", |cx| cx.normal(nx, ny, nz))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNormal3fv(v: *const f32) {
-    enter("glNormal3fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glNormal3fv", &SAID) })
+    enter("glNormal3fv", |cx| { let Some(v) = (unsafe { read::<f32, 3>(cx, "glNormal3fv", v) }) else { return }; cx.normal(v[0], v[1], v[2]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNormal3i(nx: i32, ny: i32, nz: i32) {
-    enter("glNormal3i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glNormal3i", &SAID) })
+    enter("glNormal3i", |cx| cx.normal(normalized::i32(nx), normalized::i32(ny), normalized::i32(nz)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNormal3iv(v: *const i32) {
-    enter("glNormal3iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glNormal3iv", &SAID) })
+    enter("glNormal3iv", |cx| { let Some(v) = (unsafe { read::<i32, 3>(cx, "glNormal3iv", v) }) else { return }; cx.normal(normalized::i32(v[0]), normalized::i32(v[1]), normalized::i32(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNormal3s(nx: i16, ny: i16, nz: i16) {
-    enter("glNormal3s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glNormal3s", &SAID) })
+    enter("glNormal3s", |cx| cx.normal(normalized::i16(nx), normalized::i16(ny), normalized::i16(nz)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNormal3sv(v: *const i16) {
-    enter("glNormal3sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glNormal3sv", &SAID) })
+    enter("glNormal3sv", |cx| { let Some(v) = (unsafe { read::<i16, 3>(cx, "glNormal3sv", v) }) else { return }; cx.normal(normalized::i16(v[0]), normalized::i16(v[1]), normalized::i16(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNormalPointer(type_: u32, stride: i32, pointer: *const c_void) {
@@ -1982,7 +1982,7 @@ pub unsafe extern "C" fn glNormalPointerEXT(type_: u32, stride: i32, count: i32,
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glOrtho(left: f64, right: f64, bottom: f64, top: f64, zNear: f64, zFar: f64) {
-    enter("glOrtho", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glOrtho", &SAID) })
+    enter("glOrtho", |cx| cx.ortho(left, right, bottom, top, zNear, zFar))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPassThrough(token: f32) {
@@ -2082,7 +2082,7 @@ pub unsafe extern "C" fn glPopClientAttrib() {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPopMatrix() {
-    enter("glPopMatrix", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPopMatrix", &SAID) })
+    enter("glPopMatrix", |cx| cx.pop_matrix())
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPopName() {
@@ -2150,7 +2150,7 @@ pub unsafe extern "C" fn glPushClientAttrib(mask: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPushMatrix() {
-    enter("glPushMatrix", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPushMatrix", &SAID) })
+    enter("glPushMatrix", |cx| cx.push_matrix())
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPushName(name: u32) {
@@ -2254,7 +2254,7 @@ pub unsafe extern "C" fn glRasterPos4sv(v: *const i16) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glReadBuffer(src: u32) {
-    enter("glReadBuffer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glReadBuffer", &SAID) })
+    enter("glReadBuffer", |cx| cx.read_buffer(src))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glReadPixels(x: i32, y: i32, width: i32, height: i32, format: u32, type_: u32, pixels: *mut c_void) {
@@ -2262,35 +2262,35 @@ pub unsafe extern "C" fn glReadPixels(x: i32, y: i32, width: i32, height: i32, f
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRectd(x1: f64, y1: f64, x2: f64, y2: f64) {
-    enter("glRectd", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRectd", &SAID) })
+    enter("glRectd", |cx| cx.rect(x1 as f32, y1 as f32, x2 as f32, y2 as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRectdv(v1: *const f64, v2: *const f64) {
-    enter("glRectdv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRectdv", &SAID) })
+    enter("glRectdv", |cx| { let Some(v1) = (unsafe { read::<f64, 2>(cx, "glRectdv", v1) }) else { return }; let Some(v2) = (unsafe { read::<f64, 2>(cx, "glRectdv", v2) }) else { return }; cx.rect(v1[0] as f32, v1[1] as f32, v2[0] as f32, v2[1] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRectf(x1: f32, y1: f32, x2: f32, y2: f32) {
-    enter("glRectf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRectf", &SAID) })
+    enter("glRectf", |cx| cx.rect(x1, y1, x2, y2))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRectfv(v1: *const f32, v2: *const f32) {
-    enter("glRectfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRectfv", &SAID) })
+    enter("glRectfv", |cx| { let Some(v1) = (unsafe { read::<f32, 2>(cx, "glRectfv", v1) }) else { return }; let Some(v2) = (unsafe { read::<f32, 2>(cx, "glRectfv", v2) }) else { return }; cx.rect(v1[0], v1[1], v2[0], v2[1]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRecti(x1: i32, y1: i32, x2: i32, y2: i32) {
-    enter("glRecti", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRecti", &SAID) })
+    enter("glRecti", |cx| cx.rect(x1 as f32, y1 as f32, x2 as f32, y2 as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRectiv(v1: *const i32, v2: *const i32) {
-    enter("glRectiv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRectiv", &SAID) })
+    enter("glRectiv", |cx| { let Some(v1) = (unsafe { read::<i32, 2>(cx, "glRectiv", v1) }) else { return }; let Some(v2) = (unsafe { read::<i32, 2>(cx, "glRectiv", v2) }) else { return }; cx.rect(v1[0] as f32, v1[1] as f32, v2[0] as f32, v2[1] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRects(x1: i16, y1: i16, x2: i16, y2: i16) {
-    enter("glRects", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRects", &SAID) })
+    enter("glRects", |cx| cx.rect(x1 as f32, y1 as f32, x2 as f32, y2 as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRectsv(v1: *const i16, v2: *const i16) {
-    enter("glRectsv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRectsv", &SAID) })
+    enter("glRectsv", |cx| { let Some(v1) = (unsafe { read::<i16, 2>(cx, "glRectsv", v1) }) else { return }; let Some(v2) = (unsafe { read::<i16, 2>(cx, "glRectsv", v2) }) else { return }; cx.rect(v1[0] as f32, v1[1] as f32, v2[0] as f32, v2[1] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRenderMode(mode: u32) -> i32 {
@@ -2322,11 +2322,11 @@ pub unsafe extern "C" fn glResetMinmax(target: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRotated(angle: f64, x: f64, y: f64, z: f64) {
-    enter("glRotated", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRotated", &SAID) })
+    enter("glRotated", |cx| cx.rotate(angle as f32, x as f32, y as f32, z as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRotatef(angle: f32, x: f32, y: f32, z: f32) {
-    enter("glRotatef", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRotatef", &SAID) })
+    enter("glRotatef", |cx| cx.rotate(angle, x, y, z))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSampleCoverage(value: f32, invert: u8) {
@@ -2338,143 +2338,143 @@ pub unsafe extern "C" fn glSampleCoverageARB(value: f32, invert: u8) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glScaled(x: f64, y: f64, z: f64) {
-    enter("glScaled", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glScaled", &SAID) })
+    enter("glScaled", |cx| cx.scale(x as f32, y as f32, z as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glScalef(x: f32, y: f32, z: f32) {
-    enter("glScalef", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glScalef", &SAID) })
+    enter("glScalef", |cx| cx.scale(x, y, z))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glScissor(x: i32, y: i32, width: i32, height: i32) {
-    enter("glScissor", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glScissor", &SAID) })
+    enter("glScissor", |cx| cx.scissor(x, y, width, height))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3b(red: i8, green: i8, blue: i8) {
-    enter("glSecondaryColor3b", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3b", &SAID) })
+    enter("glSecondaryColor3b", |cx| cx.secondary_color(normalized::i8(red), normalized::i8(green), normalized::i8(blue)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3bEXT(red: i8, green: i8, blue: i8) {
-    enter("glSecondaryColor3bEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3bEXT", &SAID) })
+    enter("glSecondaryColor3bEXT", |cx| cx.secondary_color(normalized::i8(red), normalized::i8(green), normalized::i8(blue)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3bv(v: *const i8) {
-    enter("glSecondaryColor3bv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3bv", &SAID) })
+    enter("glSecondaryColor3bv", |cx| { let Some(v) = (unsafe { read::<i8, 3>(cx, "glSecondaryColor3bv", v) }) else { return }; cx.secondary_color(normalized::i8(v[0]), normalized::i8(v[1]), normalized::i8(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3bvEXT(v: *const i8) {
-    enter("glSecondaryColor3bvEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3bvEXT", &SAID) })
+    enter("glSecondaryColor3bvEXT", |cx| { let Some(v) = (unsafe { read::<i8, 3>(cx, "glSecondaryColor3bvEXT", v) }) else { return }; cx.secondary_color(normalized::i8(v[0]), normalized::i8(v[1]), normalized::i8(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3d(red: f64, green: f64, blue: f64) {
-    enter("glSecondaryColor3d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3d", &SAID) })
+    enter("glSecondaryColor3d", |cx| cx.secondary_color(red as f32, green as f32, blue as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3dEXT(red: f64, green: f64, blue: f64) {
-    enter("glSecondaryColor3dEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3dEXT", &SAID) })
+    enter("glSecondaryColor3dEXT", |cx| cx.secondary_color(red as f32, green as f32, blue as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3dv(v: *const f64) {
-    enter("glSecondaryColor3dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3dv", &SAID) })
+    enter("glSecondaryColor3dv", |cx| { let Some(v) = (unsafe { read::<f64, 3>(cx, "glSecondaryColor3dv", v) }) else { return }; cx.secondary_color(v[0] as f32, v[1] as f32, v[2] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3dvEXT(v: *const f64) {
-    enter("glSecondaryColor3dvEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3dvEXT", &SAID) })
+    enter("glSecondaryColor3dvEXT", |cx| { let Some(v) = (unsafe { read::<f64, 3>(cx, "glSecondaryColor3dvEXT", v) }) else { return }; cx.secondary_color(v[0] as f32, v[1] as f32, v[2] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3f(red: f32, green: f32, blue: f32) {
-    enter("glSecondaryColor3f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3f", &SAID) })
+    enter("glSecondaryColor3f", |cx| cx.secondary_color(red, green, blue))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3fEXT(red: f32, green: f32, blue: f32) {
-    enter("glSecondaryColor3fEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3fEXT", &SAID) })
+    enter("glSecondaryColor3fEXT", |cx| cx.secondary_color(red, green, blue))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3fv(v: *const f32) {
-    enter("glSecondaryColor3fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3fv", &SAID) })
+    enter("glSecondaryColor3fv", |cx| { let Some(v) = (unsafe { read::<f32, 3>(cx, "glSecondaryColor3fv", v) }) else { return }; cx.secondary_color(v[0], v[1], v[2]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3fvEXT(v: *const f32) {
-    enter("glSecondaryColor3fvEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3fvEXT", &SAID) })
+    enter("glSecondaryColor3fvEXT", |cx| { let Some(v) = (unsafe { read::<f32, 3>(cx, "glSecondaryColor3fvEXT", v) }) else { return }; cx.secondary_color(v[0], v[1], v[2]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3i(red: i32, green: i32, blue: i32) {
-    enter("glSecondaryColor3i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3i", &SAID) })
+    enter("glSecondaryColor3i", |cx| cx.secondary_color(normalized::i32(red), normalized::i32(green), normalized::i32(blue)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3iEXT(red: i32, green: i32, blue: i32) {
-    enter("glSecondaryColor3iEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3iEXT", &SAID) })
+    enter("glSecondaryColor3iEXT", |cx| cx.secondary_color(normalized::i32(red), normalized::i32(green), normalized::i32(blue)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3iv(v: *const i32) {
-    enter("glSecondaryColor3iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3iv", &SAID) })
+    enter("glSecondaryColor3iv", |cx| { let Some(v) = (unsafe { read::<i32, 3>(cx, "glSecondaryColor3iv", v) }) else { return }; cx.secondary_color(normalized::i32(v[0]), normalized::i32(v[1]), normalized::i32(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3ivEXT(v: *const i32) {
-    enter("glSecondaryColor3ivEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3ivEXT", &SAID) })
+    enter("glSecondaryColor3ivEXT", |cx| { let Some(v) = (unsafe { read::<i32, 3>(cx, "glSecondaryColor3ivEXT", v) }) else { return }; cx.secondary_color(normalized::i32(v[0]), normalized::i32(v[1]), normalized::i32(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3s(red: i16, green: i16, blue: i16) {
-    enter("glSecondaryColor3s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3s", &SAID) })
+    enter("glSecondaryColor3s", |cx| cx.secondary_color(normalized::i16(red), normalized::i16(green), normalized::i16(blue)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3sEXT(red: i16, green: i16, blue: i16) {
-    enter("glSecondaryColor3sEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3sEXT", &SAID) })
+    enter("glSecondaryColor3sEXT", |cx| cx.secondary_color(normalized::i16(red), normalized::i16(green), normalized::i16(blue)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3sv(v: *const i16) {
-    enter("glSecondaryColor3sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3sv", &SAID) })
+    enter("glSecondaryColor3sv", |cx| { let Some(v) = (unsafe { read::<i16, 3>(cx, "glSecondaryColor3sv", v) }) else { return }; cx.secondary_color(normalized::i16(v[0]), normalized::i16(v[1]), normalized::i16(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3svEXT(v: *const i16) {
-    enter("glSecondaryColor3svEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3svEXT", &SAID) })
+    enter("glSecondaryColor3svEXT", |cx| { let Some(v) = (unsafe { read::<i16, 3>(cx, "glSecondaryColor3svEXT", v) }) else { return }; cx.secondary_color(normalized::i16(v[0]), normalized::i16(v[1]), normalized::i16(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3ub(red: u8, green: u8, blue: u8) {
-    enter("glSecondaryColor3ub", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3ub", &SAID) })
+    enter("glSecondaryColor3ub", |cx| cx.secondary_color(normalized::u8(red), normalized::u8(green), normalized::u8(blue)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3ubEXT(red: u8, green: u8, blue: u8) {
-    enter("glSecondaryColor3ubEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3ubEXT", &SAID) })
+    enter("glSecondaryColor3ubEXT", |cx| cx.secondary_color(normalized::u8(red), normalized::u8(green), normalized::u8(blue)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3ubv(v: *const u8) {
-    enter("glSecondaryColor3ubv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3ubv", &SAID) })
+    enter("glSecondaryColor3ubv", |cx| { let Some(v) = (unsafe { read::<u8, 3>(cx, "glSecondaryColor3ubv", v) }) else { return }; cx.secondary_color(normalized::u8(v[0]), normalized::u8(v[1]), normalized::u8(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3ubvEXT(v: *const u8) {
-    enter("glSecondaryColor3ubvEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3ubvEXT", &SAID) })
+    enter("glSecondaryColor3ubvEXT", |cx| { let Some(v) = (unsafe { read::<u8, 3>(cx, "glSecondaryColor3ubvEXT", v) }) else { return }; cx.secondary_color(normalized::u8(v[0]), normalized::u8(v[1]), normalized::u8(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3ui(red: u32, green: u32, blue: u32) {
-    enter("glSecondaryColor3ui", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3ui", &SAID) })
+    enter("glSecondaryColor3ui", |cx| cx.secondary_color(normalized::u32(red), normalized::u32(green), normalized::u32(blue)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3uiEXT(red: u32, green: u32, blue: u32) {
-    enter("glSecondaryColor3uiEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3uiEXT", &SAID) })
+    enter("glSecondaryColor3uiEXT", |cx| cx.secondary_color(normalized::u32(red), normalized::u32(green), normalized::u32(blue)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3uiv(v: *const u32) {
-    enter("glSecondaryColor3uiv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3uiv", &SAID) })
+    enter("glSecondaryColor3uiv", |cx| { let Some(v) = (unsafe { read::<u32, 3>(cx, "glSecondaryColor3uiv", v) }) else { return }; cx.secondary_color(normalized::u32(v[0]), normalized::u32(v[1]), normalized::u32(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3uivEXT(v: *const u32) {
-    enter("glSecondaryColor3uivEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3uivEXT", &SAID) })
+    enter("glSecondaryColor3uivEXT", |cx| { let Some(v) = (unsafe { read::<u32, 3>(cx, "glSecondaryColor3uivEXT", v) }) else { return }; cx.secondary_color(normalized::u32(v[0]), normalized::u32(v[1]), normalized::u32(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3us(red: u16, green: u16, blue: u16) {
-    enter("glSecondaryColor3us", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3us", &SAID) })
+    enter("glSecondaryColor3us", |cx| cx.secondary_color(normalized::u16(red), normalized::u16(green), normalized::u16(blue)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3usEXT(red: u16, green: u16, blue: u16) {
-    enter("glSecondaryColor3usEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3usEXT", &SAID) })
+    enter("glSecondaryColor3usEXT", |cx| cx.secondary_color(normalized::u16(red), normalized::u16(green), normalized::u16(blue)))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3usv(v: *const u16) {
-    enter("glSecondaryColor3usv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3usv", &SAID) })
+    enter("glSecondaryColor3usv", |cx| { let Some(v) = (unsafe { read::<u16, 3>(cx, "glSecondaryColor3usv", v) }) else { return }; cx.secondary_color(normalized::u16(v[0]), normalized::u16(v[1]), normalized::u16(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColor3usvEXT(v: *const u16) {
-    enter("glSecondaryColor3usvEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColor3usvEXT", &SAID) })
+    enter("glSecondaryColor3usvEXT", |cx| { let Some(v) = (unsafe { read::<u16, 3>(cx, "glSecondaryColor3usvEXT", v) }) else { return }; cx.secondary_color(normalized::u16(v[0]), normalized::u16(v[1]), normalized::u16(v[2])) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColorPointer(size: i32, type_: u32, stride: i32, pointer: *const c_void) {
@@ -2538,131 +2538,131 @@ pub unsafe extern "C" fn glStencilOpSeparateATI(face: u32, sfail: u32, dpfail: u
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord1d(s: f64) {
-    enter("glTexCoord1d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord1d", &SAID) })
+    enter("glTexCoord1d", |cx| cx.tex_coord(s as f32, 0.0, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord1dv(v: *const f64) {
-    enter("glTexCoord1dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord1dv", &SAID) })
+    enter("glTexCoord1dv", |cx| { let Some(v) = (unsafe { read::<f64, 1>(cx, "glTexCoord1dv", v) }) else { return }; cx.tex_coord(v[0] as f32, 0.0, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord1f(s: f32) {
-    enter("glTexCoord1f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord1f", &SAID) })
+    enter("glTexCoord1f", |cx| cx.tex_coord(s, 0.0, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord1fv(v: *const f32) {
-    enter("glTexCoord1fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord1fv", &SAID) })
+    enter("glTexCoord1fv", |cx| { let Some(v) = (unsafe { read::<f32, 1>(cx, "glTexCoord1fv", v) }) else { return }; cx.tex_coord(v[0], 0.0, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord1i(s: i32) {
-    enter("glTexCoord1i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord1i", &SAID) })
+    enter("glTexCoord1i", |cx| cx.tex_coord(s as f32, 0.0, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord1iv(v: *const i32) {
-    enter("glTexCoord1iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord1iv", &SAID) })
+    enter("glTexCoord1iv", |cx| { let Some(v) = (unsafe { read::<i32, 1>(cx, "glTexCoord1iv", v) }) else { return }; cx.tex_coord(v[0] as f32, 0.0, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord1s(s: i16) {
-    enter("glTexCoord1s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord1s", &SAID) })
+    enter("glTexCoord1s", |cx| cx.tex_coord(s as f32, 0.0, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord1sv(v: *const i16) {
-    enter("glTexCoord1sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord1sv", &SAID) })
+    enter("glTexCoord1sv", |cx| { let Some(v) = (unsafe { read::<i16, 1>(cx, "glTexCoord1sv", v) }) else { return }; cx.tex_coord(v[0] as f32, 0.0, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord2d(s: f64, t: f64) {
-    enter("glTexCoord2d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord2d", &SAID) })
+    enter("glTexCoord2d", |cx| cx.tex_coord(s as f32, t as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord2dv(v: *const f64) {
-    enter("glTexCoord2dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord2dv", &SAID) })
+    enter("glTexCoord2dv", |cx| { let Some(v) = (unsafe { read::<f64, 2>(cx, "glTexCoord2dv", v) }) else { return }; cx.tex_coord(v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord2f(s: f32, t: f32) {
-    enter("glTexCoord2f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord2f", &SAID) })
+    enter("glTexCoord2f", |cx| cx.tex_coord(s, t, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord2fv(v: *const f32) {
-    enter("glTexCoord2fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord2fv", &SAID) })
+    enter("glTexCoord2fv", |cx| { let Some(v) = (unsafe { read::<f32, 2>(cx, "glTexCoord2fv", v) }) else { return }; cx.tex_coord(v[0], v[1], 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord2i(s: i32, t: i32) {
-    enter("glTexCoord2i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord2i", &SAID) })
+    enter("glTexCoord2i", |cx| cx.tex_coord(s as f32, t as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord2iv(v: *const i32) {
-    enter("glTexCoord2iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord2iv", &SAID) })
+    enter("glTexCoord2iv", |cx| { let Some(v) = (unsafe { read::<i32, 2>(cx, "glTexCoord2iv", v) }) else { return }; cx.tex_coord(v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord2s(s: i16, t: i16) {
-    enter("glTexCoord2s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord2s", &SAID) })
+    enter("glTexCoord2s", |cx| cx.tex_coord(s as f32, t as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord2sv(v: *const i16) {
-    enter("glTexCoord2sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord2sv", &SAID) })
+    enter("glTexCoord2sv", |cx| { let Some(v) = (unsafe { read::<i16, 2>(cx, "glTexCoord2sv", v) }) else { return }; cx.tex_coord(v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord3d(s: f64, t: f64, r: f64) {
-    enter("glTexCoord3d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord3d", &SAID) })
+    enter("glTexCoord3d", |cx| cx.tex_coord(s as f32, t as f32, r as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord3dv(v: *const f64) {
-    enter("glTexCoord3dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord3dv", &SAID) })
+    enter("glTexCoord3dv", |cx| { let Some(v) = (unsafe { read::<f64, 3>(cx, "glTexCoord3dv", v) }) else { return }; cx.tex_coord(v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord3f(s: f32, t: f32, r: f32) {
-    enter("glTexCoord3f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord3f", &SAID) })
+    enter("glTexCoord3f", |cx| cx.tex_coord(s, t, r, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord3fv(v: *const f32) {
-    enter("glTexCoord3fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord3fv", &SAID) })
+    enter("glTexCoord3fv", |cx| { let Some(v) = (unsafe { read::<f32, 3>(cx, "glTexCoord3fv", v) }) else { return }; cx.tex_coord(v[0], v[1], v[2], 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord3i(s: i32, t: i32, r: i32) {
-    enter("glTexCoord3i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord3i", &SAID) })
+    enter("glTexCoord3i", |cx| cx.tex_coord(s as f32, t as f32, r as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord3iv(v: *const i32) {
-    enter("glTexCoord3iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord3iv", &SAID) })
+    enter("glTexCoord3iv", |cx| { let Some(v) = (unsafe { read::<i32, 3>(cx, "glTexCoord3iv", v) }) else { return }; cx.tex_coord(v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord3s(s: i16, t: i16, r: i16) {
-    enter("glTexCoord3s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord3s", &SAID) })
+    enter("glTexCoord3s", |cx| cx.tex_coord(s as f32, t as f32, r as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord3sv(v: *const i16) {
-    enter("glTexCoord3sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord3sv", &SAID) })
+    enter("glTexCoord3sv", |cx| { let Some(v) = (unsafe { read::<i16, 3>(cx, "glTexCoord3sv", v) }) else { return }; cx.tex_coord(v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord4d(s: f64, t: f64, r: f64, q: f64) {
-    enter("glTexCoord4d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord4d", &SAID) })
+    enter("glTexCoord4d", |cx| cx.tex_coord(s as f32, t as f32, r as f32, q as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord4dv(v: *const f64) {
-    enter("glTexCoord4dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord4dv", &SAID) })
+    enter("glTexCoord4dv", |cx| { let Some(v) = (unsafe { read::<f64, 4>(cx, "glTexCoord4dv", v) }) else { return }; cx.tex_coord(v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord4f(s: f32, t: f32, r: f32, q: f32) {
-    enter("glTexCoord4f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord4f", &SAID) })
+    enter("glTexCoord4f", |cx| cx.tex_coord(s, t, r, q))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord4fv(v: *const f32) {
-    enter("glTexCoord4fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord4fv", &SAID) })
+    enter("glTexCoord4fv", |cx| { let Some(v) = (unsafe { read::<f32, 4>(cx, "glTexCoord4fv", v) }) else { return }; cx.tex_coord(v[0], v[1], v[2], v[3]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord4i(s: i32, t: i32, r: i32, q: i32) {
-    enter("glTexCoord4i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord4i", &SAID) })
+    enter("glTexCoord4i", |cx| cx.tex_coord(s as f32, t as f32, r as f32, q as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord4iv(v: *const i32) {
-    enter("glTexCoord4iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord4iv", &SAID) })
+    enter("glTexCoord4iv", |cx| { let Some(v) = (unsafe { read::<i32, 4>(cx, "glTexCoord4iv", v) }) else { return }; cx.tex_coord(v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord4s(s: i16, t: i16, r: i16, q: i16) {
-    enter("glTexCoord4s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord4s", &SAID) })
+    enter("glTexCoord4s", |cx| cx.tex_coord(s as f32, t as f32, r as f32, q as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoord4sv(v: *const i16) {
-    enter("glTexCoord4sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoord4sv", &SAID) })
+    enter("glTexCoord4sv", |cx| { let Some(v) = (unsafe { read::<i16, 4>(cx, "glTexCoord4sv", v) }) else { return }; cx.tex_coord(v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoordPointer(size: i32, type_: u32, stride: i32, pointer: *const c_void) {
@@ -2770,11 +2770,11 @@ pub unsafe extern "C" fn glTexSubImage3DEXT(target: u32, level: i32, xoffset: i3
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTranslated(x: f64, y: f64, z: f64) {
-    enter("glTranslated", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTranslated", &SAID) })
+    enter("glTranslated", |cx| cx.translate(x as f32, y as f32, z as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTranslatef(x: f32, y: f32, z: f32) {
-    enter("glTranslatef", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTranslatef", &SAID) })
+    enter("glTranslatef", |cx| cx.translate(x, y, z))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glUniform1f(location: i32, v0: f32) {
@@ -2982,99 +2982,99 @@ pub unsafe extern "C" fn glValidateProgramARB(programObj: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex2d(x: f64, y: f64) {
-    enter("glVertex2d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex2d", &SAID) })
+    enter("glVertex2d", |cx| cx.vertex(x as f32, y as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex2dv(v: *const f64) {
-    enter("glVertex2dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex2dv", &SAID) })
+    enter("glVertex2dv", |cx| { let Some(v) = (unsafe { read::<f64, 2>(cx, "glVertex2dv", v) }) else { return }; cx.vertex(v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex2f(x: f32, y: f32) {
-    enter("glVertex2f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex2f", &SAID) })
+    enter("glVertex2f", |cx| cx.vertex(x, y, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex2fv(v: *const f32) {
-    enter("glVertex2fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex2fv", &SAID) })
+    enter("glVertex2fv", |cx| { let Some(v) = (unsafe { read::<f32, 2>(cx, "glVertex2fv", v) }) else { return }; cx.vertex(v[0], v[1], 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex2i(x: i32, y: i32) {
-    enter("glVertex2i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex2i", &SAID) })
+    enter("glVertex2i", |cx| cx.vertex(x as f32, y as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex2iv(v: *const i32) {
-    enter("glVertex2iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex2iv", &SAID) })
+    enter("glVertex2iv", |cx| { let Some(v) = (unsafe { read::<i32, 2>(cx, "glVertex2iv", v) }) else { return }; cx.vertex(v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex2s(x: i16, y: i16) {
-    enter("glVertex2s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex2s", &SAID) })
+    enter("glVertex2s", |cx| cx.vertex(x as f32, y as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex2sv(v: *const i16) {
-    enter("glVertex2sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex2sv", &SAID) })
+    enter("glVertex2sv", |cx| { let Some(v) = (unsafe { read::<i16, 2>(cx, "glVertex2sv", v) }) else { return }; cx.vertex(v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex3d(x: f64, y: f64, z: f64) {
-    enter("glVertex3d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex3d", &SAID) })
+    enter("glVertex3d", |cx| cx.vertex(x as f32, y as f32, z as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex3dv(v: *const f64) {
-    enter("glVertex3dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex3dv", &SAID) })
+    enter("glVertex3dv", |cx| { let Some(v) = (unsafe { read::<f64, 3>(cx, "glVertex3dv", v) }) else { return }; cx.vertex(v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex3f(x: f32, y: f32, z: f32) {
-    enter("glVertex3f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex3f", &SAID) })
+    enter("glVertex3f", |cx| cx.vertex(x, y, z, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex3fv(v: *const f32) {
-    enter("glVertex3fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex3fv", &SAID) })
+    enter("glVertex3fv", |cx| { let Some(v) = (unsafe { read::<f32, 3>(cx, "glVertex3fv", v) }) else { return }; cx.vertex(v[0], v[1], v[2], 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex3i(x: i32, y: i32, z: i32) {
-    enter("glVertex3i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex3i", &SAID) })
+    enter("glVertex3i", |cx| cx.vertex(x as f32, y as f32, z as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex3iv(v: *const i32) {
-    enter("glVertex3iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex3iv", &SAID) })
+    enter("glVertex3iv", |cx| { let Some(v) = (unsafe { read::<i32, 3>(cx, "glVertex3iv", v) }) else { return }; cx.vertex(v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex3s(x: i16, y: i16, z: i16) {
-    enter("glVertex3s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex3s", &SAID) })
+    enter("glVertex3s", |cx| cx.vertex(x as f32, y as f32, z as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex3sv(v: *const i16) {
-    enter("glVertex3sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex3sv", &SAID) })
+    enter("glVertex3sv", |cx| { let Some(v) = (unsafe { read::<i16, 3>(cx, "glVertex3sv", v) }) else { return }; cx.vertex(v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex4d(x: f64, y: f64, z: f64, w: f64) {
-    enter("glVertex4d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex4d", &SAID) })
+    enter("glVertex4d", |cx| cx.vertex(x as f32, y as f32, z as f32, w as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex4dv(v: *const f64) {
-    enter("glVertex4dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex4dv", &SAID) })
+    enter("glVertex4dv", |cx| { let Some(v) = (unsafe { read::<f64, 4>(cx, "glVertex4dv", v) }) else { return }; cx.vertex(v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex4f(x: f32, y: f32, z: f32, w: f32) {
-    enter("glVertex4f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex4f", &SAID) })
+    enter("glVertex4f", |cx| cx.vertex(x, y, z, w))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex4fv(v: *const f32) {
-    enter("glVertex4fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex4fv", &SAID) })
+    enter("glVertex4fv", |cx| { let Some(v) = (unsafe { read::<f32, 4>(cx, "glVertex4fv", v) }) else { return }; cx.vertex(v[0], v[1], v[2], v[3]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex4i(x: i32, y: i32, z: i32, w: i32) {
-    enter("glVertex4i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex4i", &SAID) })
+    enter("glVertex4i", |cx| cx.vertex(x as f32, y as f32, z as f32, w as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex4iv(v: *const i32) {
-    enter("glVertex4iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex4iv", &SAID) })
+    enter("glVertex4iv", |cx| { let Some(v) = (unsafe { read::<i32, 4>(cx, "glVertex4iv", v) }) else { return }; cx.vertex(v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex4s(x: i16, y: i16, z: i16, w: i16) {
-    enter("glVertex4s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex4s", &SAID) })
+    enter("glVertex4s", |cx| cx.vertex(x as f32, y as f32, z as f32, w as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertex4sv(v: *const i16) {
-    enter("glVertex4sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertex4sv", &SAID) })
+    enter("glVertex4sv", |cx| { let Some(v) = (unsafe { read::<i16, 4>(cx, "glVertex4sv", v) }) else { return }; cx.vertex(v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertexAttrib1d(index: u32, x: f64) {
@@ -3382,7 +3382,7 @@ pub unsafe extern "C" fn glVertexPointerEXT(size: i32, type_: u32, stride: i32, 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glViewport(x: i32, y: i32, width: i32, height: i32) {
-    enter("glViewport", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glViewport", &SAID) })
+    enter("glViewport", |cx| cx.viewport(x, y, width, height))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2d(x: f64, y: f64) {

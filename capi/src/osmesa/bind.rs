@@ -49,9 +49,8 @@ fn flush_and_present(content: *mut Content) {
 
 /// glFlush and glFinish write the program's memory.
 pub fn flush(cx: &mut Context) {
-    if !cx.flush() {
-        return;
-    }
+    // Between Begin and End this is an error, and the batch stays as it is.
+    cx.flush();
     if let Some(content) = current::content() {
         // SAFETY: `cx` is this content's context and is not used any more.
         present(unsafe { &mut *content });
