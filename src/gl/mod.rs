@@ -11,6 +11,7 @@
 //! ```
 //! and one that is not allowed between Begin and End with `if self.inside_begin_end() { return; }` (which sets the error).
 
+pub mod accum;
 pub mod attrib_stack;
 pub mod begin_end;
 pub mod blending;
@@ -18,10 +19,12 @@ pub(crate) mod checks;
 pub mod clear;
 pub mod clip_plane;
 pub mod draws;
+pub mod copy_texture;
 pub mod enable;
 pub mod enums;
 pub mod fog;
 pub mod fragment_operations;
+pub(crate) mod framebuffer;
 pub mod lighting;
 pub mod list;
 pub mod matrix;
@@ -34,6 +37,7 @@ pub mod points_lines_polygons;
 pub mod polygon_stipple;
 pub mod query;
 pub mod query_table;
+pub mod read_pixels;
 pub mod state;
 pub mod strings;
 pub mod texenv;

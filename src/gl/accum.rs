@@ -1,0 +1,152 @@
+//! The accumulation buffer (4.2.4): 16-bit signed normalised components, as OSMesa's.
+
+use super::Context;
+use super::enums::*;
+use super::framebuffer::{Rect, bounds, pixel_index, write_color};
+use super::pixel_format::Groups;
+
+/// An accumulation buffer, bottom row first.
+pub(crate) struct AccumBuffer {
+    width: usize,
+    height: usize,
+    values: Vec<[i16; 4]>,
+}
+
+fn to_snorm(value: f32) -> i16 {
+    (value.clamp(-1.0, 1.0) * 32767.0).round_ties_even() as i16
+}
+
+fn from_snorm(value: i16) -> f32 {
+    (value as f32 / 32767.0).max(-1.0)
+}
+
+impl AccumBuffer {
+    fn new(width: usize, height: usize) -> AccumBuffer {
+        AccumBuffer { width, height, values: vec![[0; 4]; width * height] }
+    }
+
+    fn row_mut(&mut self, rect: Rect, y: i32) -> &mut [[i16; 4]] {
+        let first = y as usize * self.width + rect.min[0] as usize;
+        &mut self.values[first..first + rect.width()]
+    }
+
+    fn update(&mut self, rect: Rect, f: impl Fn(f32) -> f32) {
+        for y in rect.min[1]..rect.max[1] {
+            for value in self.row_mut(rect, y) {
+                *value = value.map(|v| to_snorm(f(from_snorm(v))));
+            }
+        }
+    }
+}
+
+impl Context {
+    /// The part of the window that the scissor leaves.
+    pub(crate) fn scissored_window(&self) -> Rect {
+        let window = Rect::new(0, 0, self.window_size[0] as i32, self.window_size[1] as i32);
+        let scissor = &self.state.scissor;
+        if scissor.test { window.and(Rect::new(scissor.x, scissor.y, scissor.width, scissor.height)) } else { window }
+    }
+
+    /// The accumulation buffer of the window's size, zeroed when it is new.
+    fn accum_buffer(&mut self) -> &mut AccumBuffer {
+        let [width, height] = self.window_size.map(|n| n as usize);
+        if !self.pixel_objects.accum.as_ref().is_some_and(|a| a.width == width && a.height == height) {
+            self.pixel_objects.accum = None;
+        }
+        self.pixel_objects.accum.get_or_insert_with(|| AccumBuffer::new(width, height))
+    }
+
+    /// The GL_ACCUM_BUFFER_BIT of glClear. Nothing happens where the context has no accumulation buffer.
+    pub(crate) fn clear_accum_buffer(&mut self) {
+        if self.config.accum_bits == 0 {
+            return;
+        }
+        let value = self.state.accum_clear.map(to_snorm);
+        let rect = self.scissored_window();
+        let buffer = self.accum_buffer();
+        (rect.min[1]..rect.max[1]).for_each(|y| buffer.row_mut(rect, y).fill(value));
+    }
+
+    /// glAccum
+    pub fn accum(&mut self, op: GLenum, value: f32) {
+        if self.compile(move |cx| cx.accum(op, value)) || self.inside_begin_end() {
+            return;
+        }
+        if !matches!(op, GL_ACCUM | GL_LOAD | GL_ADD | GL_MULT | GL_RETURN) {
+            return self.set_error(GL_INVALID_ENUM, "glAccum");
+        }
+        if self.config.accum_bits == 0 {
+            return self.set_error(GL_INVALID_OPERATION, "glAccum without an accumulation buffer");
+        }
+        if self.render_mode != GL_RENDER {
+            return;
+        }
+        let rect = self.scissored_window();
+        if rect.is_empty() {
+            return;
+        }
+        match op {
+            GL_ADD => self.accum_buffer().update(rect, |a| a + value),
+            GL_MULT => self.accum_buffer().update(rect, |a| a * value),
+            GL_RETURN => self.return_accum(rect, value),
+            _ => self.load_accum(rect, value, op == GL_ACCUM),
+        }
+    }
+
+    fn load_accum(&mut self, rect: Rect, value: f32, add: bool) {
+        let Some((rect, groups)) = self.read_window_colors(rect) else { return };
+        let colors = match groups {
+            Groups::Rgba8(p) => p.iter().map(|p| p.to_le_bytes().map(|c| c as f32 / 255.0)).collect(),
+            Groups::Rgba(p) => p,
+            _ => return,
+        };
+        let buffer = self.accum_buffer();
+        for (row, colors) in colors.chunks_exact(rect.width().max(1)).enumerate() {
+            for (accum, color) in buffer.row_mut(rect, rect.min[1] + row as i32).iter_mut().zip(colors) {
+                *accum = std::array::from_fn(|k| {
+                    let old = if add { from_snorm(accum[k]) } else { 0.0 };
+                    to_snorm(color[k] * value + old)
+                });
+            }
+        }
+    }
+
+    fn return_accum(&mut self, rect: Rect, value: f32) {
+        if self.state.color_buffer.draw_buffer == GL_NONE {
+            return;
+        }
+        let mask = self.state.color_buffer.color_mask.iter().enumerate().fold(0, |m, (k, &on)| m | (on as u32) << k);
+        self.flush_batch();
+        self.accum_buffer();
+        let (Some(buffer), Some(window)) = (self.pixel_objects.accum.as_mut(), self.window.as_mut()) else { return };
+        let pixels = window.pixels_mut();
+        let rect = rect.and(bounds(pixels));
+        for y in rect.min[1]..rect.max[1] {
+            let first = pixel_index(pixels, rect.min[0], y);
+            for (x, accum) in buffer.row_mut(rect, y).iter().enumerate() {
+                write_color(pixels, first + x, accum.map(|a| (from_snorm(a) * value).clamp(0.0, 1.0)), mask);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn signed_values_saturate_and_survive() {
+        assert_eq!(to_snorm(2.0), 32767);
+        assert_eq!(to_snorm(-2.0), -32767);
+        assert_eq!(from_snorm(to_snorm(1.0)), 1.0);
+        assert_eq!(from_snorm(i16::MIN), -1.0);
+    }
+
+    #[test]
+    fn operations_stay_inside_the_rectangle() {
+        let mut buffer = AccumBuffer::new(3, 3);
+        buffer.update(Rect::new(1, 1, 1, 2), |a| a + 0.5);
+        let set: Vec<usize> = buffer.values.iter().enumerate().filter(|(_, v)| v[0] != 0).map(|(i, _)| i).collect();
+        assert_eq!(set, [4, 7]);
+    }
+}

@@ -1,0 +1,114 @@
+//! glReadPixels (4.3.2), and the read side of the copies.
+
+use super::Context;
+use super::enums::*;
+use super::framebuffer::{Rect, bounds, read_color, read_depth, read_stencil};
+use super::pixel_format::{Groups, check, pack};
+use crate::device::DepthFormat;
+
+impl Context {
+    /// The window's part of a rectangle, and its colours before transfer. None without a window.
+    pub(crate) fn read_window_colors(&mut self, rect: Rect) -> Option<(Rect, Groups)> {
+        self.flush_batch();
+        let pixels = self.window.as_mut()?.pixels();
+        let inside = rect.and(bounds(pixels));
+        Some((inside, read_color(pixels, inside)))
+    }
+
+    /// Colours of a rectangle after transfer, zero outside the window, as the copies into textures want them.
+    pub(crate) fn read_transferred_colors(&mut self, rect: Rect) -> Groups {
+        let Some((inside, groups)) = self.read_window_colors(rect) else {
+            return Groups::Rgba8(vec![0; rect.width() * rect.height()]);
+        };
+        let groups = self.state.pixel.transferred_colors(groups);
+        match groups {
+            Groups::Rgba8(p) => Groups::Rgba8(pad(p, inside, rect, 0)),
+            Groups::Rgba(p) => Groups::Rgba(pad(p, inside, rect, [0.0; 4])),
+            other => other,
+        }
+    }
+
+    /// The error of reading this kind of pixels from the window.
+    pub(crate) fn check_readable(&self, format: GLenum) -> Result<(), GLenum> {
+        let missing = match format {
+            // There is no colour index buffer.
+            GL_COLOR_INDEX => true,
+            GL_STENCIL_INDEX => self.config.stencil_bits == 0,
+            GL_DEPTH_COMPONENT => self.config.surface_format().depth == DepthFormat::None,
+            _ => self.state.pixel.read_buffer == GL_NONE,
+        };
+        if missing { Err(GL_INVALID_OPERATION) } else { Ok(()) }
+    }
+
+    /// glReadPixels. `out`: from the client's pointer on, as [`Context::pack_bytes`] says. Pixels outside the window are
+    /// left untouched.
+    #[allow(clippy::too_many_arguments)]
+    pub fn read_pixels(&mut self, x: i32, y: i32, width: i32, height: i32, format: GLenum, ty: GLenum, out: Option<&mut [u8]>) {
+        if self.inside_begin_end() {
+            return;
+        }
+        let checked =
+            if width < 0 || height < 0 { Err(GL_INVALID_VALUE) } else { check(format, ty).and_then(|()| self.check_readable(format)) };
+        if let Err(error) = checked {
+            return self.set_error(error, "glReadPixels");
+        }
+        let Some(out) = out else { return };
+        let rect = Rect::new(x, y, width, height);
+        self.flush_batch();
+        let Some(window) = self.window.as_mut() else { return };
+        let pixels = window.pixels();
+        let inside = rect.and(bounds(pixels));
+        if inside.is_empty() {
+            return;
+        }
+        let transfer = &self.state.pixel;
+        let groups = match format {
+            GL_DEPTH_COMPONENT => Groups::Depth(read_depth(pixels, inside).into_iter().map(|d| transfer.transfer_depth(d)).collect()),
+            GL_STENCIL_INDEX => Groups::Index(read_stencil(pixels, inside).into_iter().map(|s| transfer.transfer_stencil(s)).collect()),
+            _ => transfer.transferred_colors(read_color(pixels, inside)),
+        };
+        // The rows of the client's image stay where they are: what is cut off is skipped.
+        let mut store = self.state.pack.clone();
+        if store.row_length == 0 {
+            store.row_length = width;
+        }
+        let (Some(skip_pixels), Some(skip_rows)) =
+            (store.skip_pixels.checked_add(inside.min[0] - x), store.skip_rows.checked_add(inside.min[1] - y))
+        else {
+            return;
+        };
+        (store.skip_pixels, store.skip_rows) = (skip_pixels, skip_rows);
+        pack(&store, out, [inside.width(), inside.height(), 1], false, format, ty, &groups);
+    }
+}
+
+/// Puts the groups of the inner rectangle into the outer one.
+fn pad<T: Copy>(groups: Vec<T>, inside: Rect, outside: Rect, fill: T) -> Vec<T> {
+    if inside == outside {
+        return groups;
+    }
+    let mut out = vec![fill; outside.width() * outside.height()];
+    if inside.is_empty() {
+        return out;
+    }
+    let first = (inside.min[0] - outside.min[0]) as usize;
+    for (row, source) in groups.chunks_exact(inside.width()).enumerate() {
+        let y = (inside.min[1] - outside.min[1]) as usize + row;
+        out[y * outside.width() + first..][..inside.width()].copy_from_slice(source);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn copies_from_beyond_the_window_are_padded() {
+        let inside = Rect::new(0, 0, 1, 2);
+        let outside = Rect::new(-1, -1, 3, 4);
+        assert_eq!(pad(vec![7, 8], inside, outside, 0), [0, 0, 0, 0, 7, 0, 0, 8, 0, 0, 0, 0]);
+        let elsewhere = Rect::new(5, 5, 2, 1);
+        assert_eq!(pad(Vec::new(), elsewhere.and(inside), elsewhere, 1), [1, 1]);
+    }
+}
