@@ -41,7 +41,7 @@ impl Context {
             self.recorder.clear(Clear { min, max, color: color.clear_color, color_mask, depth, stencil });
         }
         if mask & GL_ACCUM_BUFFER_BIT != 0 {
-            self.clear_accum_buffer(min, max);
+            self.clear_accum_buffer();
         }
     }
 
@@ -129,11 +129,6 @@ impl Context {
             window.pixels();
         }
     }
-}
-
-impl Context {
-    /// room: pixels replaces this
-    fn clear_accum_buffer(&mut self, _min: [i32; 2], _max: [i32; 2]) {}
 }
 
 /// GL_MAX_VIEWPORT_DIMS.
