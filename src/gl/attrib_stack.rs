@@ -3,7 +3,12 @@
 use super::checks::put;
 use super::enums::*;
 use super::state::*;
+use super::texture_object::{TextureObject, TextureTable};
 use super::{Context, dirty};
+use crate::draw::texture::TextureKind;
+
+/// In the order of `TextureUnit::bound`.
+const KINDS: [TextureKind; 4] = [TextureKind::D1, TextureKind::D2, TextureKind::D3, TextureKind::Cube];
 
 /// State that one PushAttrib saved, by group.
 enum Group {
@@ -28,7 +33,8 @@ enum Group {
     Hint(HintState),
     Eval(Box<EvalState>),
     ListBase(u32),
-    Texture(Box<TextureState>),
+    /// With the parameters of the textures that were bound (3.8.4, 6.1.14).
+    Texture(Box<TextureState>, Vec<(TextureKind, u32, TextureObject)>),
     Scissor(ScissorState),
     Multisample(MultisampleState),
 }
@@ -148,7 +154,7 @@ impl Context {
             GL_HINT_BIT => Group::Hint(s.hint.clone()),
             GL_EVAL_BIT => Group::Eval(Box::new(s.eval.clone())),
             GL_LIST_BIT => Group::ListBase(s.list_base),
-            GL_TEXTURE_BIT => Group::Texture(Box::new(s.texture.clone())),
+            GL_TEXTURE_BIT => Group::Texture(Box::new(s.texture.clone()), self.bound_textures()),
             GL_SCISSOR_BIT => Group::Scissor(s.scissor.clone()),
             GL_MULTISAMPLE_BIT => Group::Multisample(s.multisample.clone()),
             _ => Group::Enables(Box::new(self.save_enables())),
@@ -233,7 +239,9 @@ impl Context {
                 s.list_base = saved;
                 0
             }
-            Group::Texture(saved) => {
+            Group::Texture(saved, objects) => {
+                let mut shared = self.shared.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+                restore_textures(&mut shared.textures, &objects);
                 let coord_replace: [bool; MAX_TEXTURE_UNITS] = std::array::from_fn(|unit| s.texture.units[unit].coord_replace);
                 s.texture = *saved;
                 for (unit, coord_replace) in s.texture.units.iter_mut().zip(coord_replace) {
@@ -250,6 +258,23 @@ impl Context {
                 dirty::FRAGMENT
             }
         };
+    }
+
+    /// The parameters of every texture that some unit has bound.
+    fn bound_textures(&self) -> Vec<(TextureKind, u32, TextureObject)> {
+        let mut shared = self.shared();
+        let mut saved: Vec<(TextureKind, u32, TextureObject)> = Vec::new();
+        for unit in &self.state.texture.units {
+            for (kind, &name) in KINDS.into_iter().zip(&unit.bound) {
+                if saved.iter().any(|(k, n, _)| *k == kind && *n == name) {
+                    continue;
+                }
+                if let Some(object) = shared.textures.existing(kind, name) {
+                    saved.push((kind, name, object.parameters()));
+                }
+            }
+        }
+        saved
     }
 
     fn save_enables(&mut self) -> Enables {
@@ -283,6 +308,15 @@ impl Context {
             put(slot, on, &mut changed, group);
         }
         self.dirty |= changed;
+    }
+}
+
+/// Gives textures their saved parameters back. One that was deleted since is skipped.
+fn restore_textures(textures: &mut TextureTable, saved: &[(TextureKind, u32, TextureObject)]) {
+    for (kind, name, parameters) in saved {
+        if let Some(object) = textures.existing(*kind, *name) {
+            object.restore_parameters(parameters);
+        }
     }
 }
 

@@ -1,12 +1,24 @@
 //! Texture environment (3.8.13): the modes of 1.1, the combiner, the unit's bias, point sprites' coordinates.
 
 use super::checks::{Params, clamp01, enum_from, put, vec4};
+use super::enable::index_below;
 use super::enums::*;
 use super::query::{Kind, Value};
-use super::state::TextureUnit;
+use super::state::{MAX_TEXTURE_UNITS, TextureUnit};
 use super::{Context, dirty};
 
 impl Context {
+    /// glActiveTexture.
+    pub fn active_texture(&mut self, texture: GLenum) {
+        if self.compile(move |cx| cx.active_texture(texture)) || self.inside_begin_end() {
+            return;
+        }
+        match index_below(texture, GL_TEXTURE0, MAX_TEXTURE_UNITS) {
+            Some(unit) => self.state.texture.active = unit,
+            None => self.set_error(GL_INVALID_ENUM, "glActiveTexture"),
+        }
+    }
+
     /// glTexEnv{if}[v] of the active unit. A slice of one is the scalar form. The colour is clamped to [0, 1].
     pub fn tex_env(&mut self, target: GLenum, pname: GLenum, params: &[f32]) {
         let given = Params::new(params);

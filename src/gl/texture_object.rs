@@ -203,6 +203,20 @@ impl TextureObject {
     }
 }
 
+impl TextureObject {
+    /// A copy without images, for the attribute stack.
+    pub(crate) fn parameters(&self) -> TextureObject {
+        TextureObject { faces: Vec::new(), snapshot: None, ..*self }
+    }
+
+    /// Takes the parameters of `saved` and keeps the images.
+    pub(crate) fn restore_parameters(&mut self, saved: &TextureObject) {
+        let same_levels = (self.base_level, self.max_level) == (saved.base_level, saved.max_level);
+        let snapshot = self.snapshot.take().filter(|_| same_levels);
+        *self = TextureObject { faces: std::mem::take(&mut self.faces), snapshot, ..*saved };
+    }
+}
+
 /// The textures of a share group.
 pub struct TextureTable {
     /// By name; None for names that glGenTextures gave out and nothing bound yet.
@@ -227,6 +241,12 @@ impl TextureTable {
             Some(Some(object)) if name != 0 && object.kind == kind => object,
             _ => &mut self.defaults[kind as usize],
         }
+    }
+
+    /// The object of a name, if it is still there.
+    pub(crate) fn existing(&mut self, kind: TextureKind, name: u32) -> Option<&mut TextureObject> {
+        let there = name == 0 || matches!(self.objects.get(&name), Some(Some(object)) if object.kind == kind);
+        there.then(|| self.object(kind, name))
     }
 
     fn generate(&mut self) -> u32 {
