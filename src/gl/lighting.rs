@@ -113,17 +113,21 @@ impl Context {
         if pname == GL_SHININESS && !(0.0..=128.0).contains(&scalar) {
             return self.set_error(GL_INVALID_VALUE, "glMaterial(GL_SHININESS)");
         }
-        for material in &mut self.state.lighting.materials[range] {
+        let mut changed = self.state.lighting.materials.clone();
+        for material in &mut changed[range] {
             match (pname, color) {
-                (GL_SHININESS, _) => put(&mut material.shininess, scalar, &mut self.dirty, dirty::LIGHTING),
+                (GL_SHININESS, _) => material.shininess = scalar,
                 (GL_COLOR_INDEXES, _) => material.color_indexes = [params[0], params[1], params[2]],
-                (_, Some(color)) => {
-                    for slot in colors_of(material, pname) {
-                        put(slot, color, &mut self.dirty, dirty::LIGHTING);
-                    }
-                }
+                (_, Some(color)) => colors_of(material, pname).for_each(|slot| *slot = color),
                 _ => {}
             }
+        }
+        if changed != self.state.lighting.materials {
+            if self.immediate.is_inside() {
+                self.split_primitive();
+            }
+            self.state.lighting.materials = changed;
+            self.dirty |= dirty::LIGHTING;
         }
     }
 

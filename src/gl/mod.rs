@@ -22,6 +22,7 @@ pub mod draws;
 pub mod copy_texture;
 pub mod enable;
 pub mod enums;
+pub mod evaluators;
 pub mod fog;
 pub mod fragment_operations;
 pub(crate) mod framebuffer;
@@ -37,6 +38,7 @@ pub mod points_lines_polygons;
 pub mod polygon_stipple;
 pub mod query;
 pub mod query_table;
+pub mod raster_position;
 pub mod read_pixels;
 pub mod state;
 pub mod strings;
@@ -84,6 +86,7 @@ pub struct Context {
     pub(crate) derived_topology: u32,
     pub(crate) immediate: Immediate,
     pub(crate) lists: list::ListState,
+    maps: evaluators::Maps,
     attrib_stack: Vec<attrib_stack::SavedAttributes>,
     /// GL_RENDERER, once asked for.
     renderer: Option<std::ffi::CString>,
@@ -177,6 +180,7 @@ impl Context {
             derived_topology: !0,
             immediate: Immediate::default(),
             lists: list::ListState::default(),
+            maps: evaluators::Maps::default(),
             attrib_stack: Vec::new(),
             renderer: None,
             pixel_objects: Default::default(),

@@ -181,7 +181,7 @@ pub struct Light {
 }
 
 /// A material, one a face.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)]
 pub struct Material {
     pub ambient: [f32; 4],
