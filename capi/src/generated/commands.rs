@@ -14,7 +14,7 @@ use crate::table::Entry;
 
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glAccum(op: u32, value: f32) {
-    enter("glAccum", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glAccum", &SAID) })
+    enter("glAccum", |cx| cx.accum(op, value))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glActiveStencilFaceEXT(face: u32) {
@@ -22,11 +22,11 @@ pub unsafe extern "C" fn glActiveStencilFaceEXT(face: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glActiveTexture(texture: u32) {
-    enter("glActiveTexture", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glActiveTexture", &SAID) })
+    enter("glActiveTexture", |cx| cx.active_texture(texture))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glActiveTextureARB(texture: u32) {
-    enter("glActiveTextureARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glActiveTextureARB", &SAID) })
+    enter("glActiveTextureARB", |cx| cx.active_texture(texture))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glAlphaFunc(func: u32, ref_: f32) {
@@ -498,43 +498,43 @@ pub unsafe extern "C" fn glCopyPixels(x: i32, y: i32, width: i32, height: i32, t
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCopyTexImage1D(target: u32, level: i32, internalformat: u32, x: i32, y: i32, width: i32, border: i32) {
-    enter("glCopyTexImage1D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCopyTexImage1D", &SAID) })
+    enter("glCopyTexImage1D", |cx| cx.copy_tex_image_1d(target, level, internalformat, x, y, width, border))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCopyTexImage1DEXT(target: u32, level: i32, internalformat: u32, x: i32, y: i32, width: i32, border: i32) {
-    enter("glCopyTexImage1DEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCopyTexImage1DEXT", &SAID) })
+    enter("glCopyTexImage1DEXT", |cx| cx.copy_tex_image_1d(target, level, internalformat, x, y, width, border))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCopyTexImage2D(target: u32, level: i32, internalformat: u32, x: i32, y: i32, width: i32, height: i32, border: i32) {
-    enter("glCopyTexImage2D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCopyTexImage2D", &SAID) })
+    enter("glCopyTexImage2D", |cx| cx.copy_tex_image_2d(target, level, internalformat, x, y, width, height, border))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCopyTexImage2DEXT(target: u32, level: i32, internalformat: u32, x: i32, y: i32, width: i32, height: i32, border: i32) {
-    enter("glCopyTexImage2DEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCopyTexImage2DEXT", &SAID) })
+    enter("glCopyTexImage2DEXT", |cx| cx.copy_tex_image_2d(target, level, internalformat, x, y, width, height, border))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCopyTexSubImage1D(target: u32, level: i32, xoffset: i32, x: i32, y: i32, width: i32) {
-    enter("glCopyTexSubImage1D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCopyTexSubImage1D", &SAID) })
+    enter("glCopyTexSubImage1D", |cx| cx.copy_tex_sub_image_1d(target, level, xoffset, x, y, width))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCopyTexSubImage1DEXT(target: u32, level: i32, xoffset: i32, x: i32, y: i32, width: i32) {
-    enter("glCopyTexSubImage1DEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCopyTexSubImage1DEXT", &SAID) })
+    enter("glCopyTexSubImage1DEXT", |cx| cx.copy_tex_sub_image_1d(target, level, xoffset, x, y, width))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCopyTexSubImage2D(target: u32, level: i32, xoffset: i32, yoffset: i32, x: i32, y: i32, width: i32, height: i32) {
-    enter("glCopyTexSubImage2D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCopyTexSubImage2D", &SAID) })
+    enter("glCopyTexSubImage2D", |cx| cx.copy_tex_sub_image_2d(target, level, xoffset, yoffset, x, y, width, height))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCopyTexSubImage2DEXT(target: u32, level: i32, xoffset: i32, yoffset: i32, x: i32, y: i32, width: i32, height: i32) {
-    enter("glCopyTexSubImage2DEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCopyTexSubImage2DEXT", &SAID) })
+    enter("glCopyTexSubImage2DEXT", |cx| cx.copy_tex_sub_image_2d(target, level, xoffset, yoffset, x, y, width, height))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCopyTexSubImage3D(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, x: i32, y: i32, width: i32, height: i32) {
-    enter("glCopyTexSubImage3D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCopyTexSubImage3D", &SAID) })
+    enter("glCopyTexSubImage3D", |cx| cx.copy_tex_sub_image_3d(target, level, xoffset, yoffset, zoffset, x, y, width, height))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCopyTexSubImage3DEXT(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, x: i32, y: i32, width: i32, height: i32) {
-    enter("glCopyTexSubImage3DEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCopyTexSubImage3DEXT", &SAID) })
+    enter("glCopyTexSubImage3DEXT", |cx| cx.copy_tex_sub_image_3d(target, level, xoffset, yoffset, zoffset, x, y, width, height))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCreateProgram() -> u32 {
@@ -738,51 +738,51 @@ pub unsafe extern "C" fn glEndQueryARB(target: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEvalCoord1d(u: f64) {
-    enter("glEvalCoord1d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEvalCoord1d", &SAID) })
+    enter("glEvalCoord1d", |cx| cx.eval_coord1(u as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEvalCoord1dv(u: *const f64) {
-    enter("glEvalCoord1dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEvalCoord1dv", &SAID) })
+    enter("glEvalCoord1dv", |cx| { let Some(u) = (unsafe { read::<f64, 1>(cx, "glEvalCoord1dv", u) }) else { return }; cx.eval_coord1(u[0] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEvalCoord1f(u: f32) {
-    enter("glEvalCoord1f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEvalCoord1f", &SAID) })
+    enter("glEvalCoord1f", |cx| cx.eval_coord1(u))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEvalCoord1fv(u: *const f32) {
-    enter("glEvalCoord1fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEvalCoord1fv", &SAID) })
+    enter("glEvalCoord1fv", |cx| { let Some(u) = (unsafe { read::<f32, 1>(cx, "glEvalCoord1fv", u) }) else { return }; cx.eval_coord1(u[0]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEvalCoord2d(u: f64, v: f64) {
-    enter("glEvalCoord2d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEvalCoord2d", &SAID) })
+    enter("glEvalCoord2d", |cx| cx.eval_coord2(u as f32, v as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEvalCoord2dv(u: *const f64) {
-    enter("glEvalCoord2dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEvalCoord2dv", &SAID) })
+    enter("glEvalCoord2dv", |cx| { let Some(u) = (unsafe { read::<f64, 2>(cx, "glEvalCoord2dv", u) }) else { return }; cx.eval_coord2(u[0] as f32, u[1] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEvalCoord2f(u: f32, v: f32) {
-    enter("glEvalCoord2f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEvalCoord2f", &SAID) })
+    enter("glEvalCoord2f", |cx| cx.eval_coord2(u, v))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEvalCoord2fv(u: *const f32) {
-    enter("glEvalCoord2fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEvalCoord2fv", &SAID) })
+    enter("glEvalCoord2fv", |cx| { let Some(u) = (unsafe { read::<f32, 2>(cx, "glEvalCoord2fv", u) }) else { return }; cx.eval_coord2(u[0], u[1]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEvalMesh1(mode: u32, i1: i32, i2: i32) {
-    enter("glEvalMesh1", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEvalMesh1", &SAID) })
+    enter("glEvalMesh1", |cx| cx.eval_mesh1(mode, i1, i2))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEvalMesh2(mode: u32, i1: i32, i2: i32, j1: i32, j2: i32) {
-    enter("glEvalMesh2", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEvalMesh2", &SAID) })
+    enter("glEvalMesh2", |cx| cx.eval_mesh2(mode, i1, i2, j1, j2))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEvalPoint1(i: i32) {
-    enter("glEvalPoint1", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEvalPoint1", &SAID) })
+    enter("glEvalPoint1", |cx| cx.eval_point1(i))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEvalPoint2(i: i32, j: i32) {
-    enter("glEvalPoint2", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEvalPoint2", &SAID) })
+    enter("glEvalPoint2", |cx| cx.eval_point2(i, j))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFeedbackBuffer(size: i32, type_: u32, buffer: *mut f32) {
@@ -3386,195 +3386,195 @@ pub unsafe extern "C" fn glViewport(x: i32, y: i32, width: i32, height: i32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2d(x: f64, y: f64) {
-    enter("glWindowPos2d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2d", &SAID) })
+    enter("glWindowPos2d", |cx| cx.window_pos(x as f32, y as f32, 0.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2dARB(x: f64, y: f64) {
-    enter("glWindowPos2dARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2dARB", &SAID) })
+    enter("glWindowPos2dARB", |cx| cx.window_pos(x as f32, y as f32, 0.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2dMESA(x: f64, y: f64) {
-    enter("glWindowPos2dMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2dMESA", &SAID) })
+    enter("glWindowPos2dMESA", |cx| cx.window_pos(x as f32, y as f32, 0.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2dv(v: *const f64) {
-    enter("glWindowPos2dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2dv", &SAID) })
+    enter("glWindowPos2dv", |cx| { let Some(v) = (unsafe { read::<f64, 2>(cx, "glWindowPos2dv", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, 0.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2dvARB(v: *const f64) {
-    enter("glWindowPos2dvARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2dvARB", &SAID) })
+    enter("glWindowPos2dvARB", |cx| { let Some(v) = (unsafe { read::<f64, 2>(cx, "glWindowPos2dvARB", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, 0.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2dvMESA(v: *const f64) {
-    enter("glWindowPos2dvMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2dvMESA", &SAID) })
+    enter("glWindowPos2dvMESA", |cx| { let Some(v) = (unsafe { read::<f64, 2>(cx, "glWindowPos2dvMESA", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, 0.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2f(x: f32, y: f32) {
-    enter("glWindowPos2f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2f", &SAID) })
+    enter("glWindowPos2f", |cx| cx.window_pos(x, y, 0.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2fARB(x: f32, y: f32) {
-    enter("glWindowPos2fARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2fARB", &SAID) })
+    enter("glWindowPos2fARB", |cx| cx.window_pos(x, y, 0.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2fMESA(x: f32, y: f32) {
-    enter("glWindowPos2fMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2fMESA", &SAID) })
+    enter("glWindowPos2fMESA", |cx| cx.window_pos(x, y, 0.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2fv(v: *const f32) {
-    enter("glWindowPos2fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2fv", &SAID) })
+    enter("glWindowPos2fv", |cx| { let Some(v) = (unsafe { read::<f32, 2>(cx, "glWindowPos2fv", v) }) else { return }; cx.window_pos(v[0], v[1], 0.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2fvARB(v: *const f32) {
-    enter("glWindowPos2fvARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2fvARB", &SAID) })
+    enter("glWindowPos2fvARB", |cx| { let Some(v) = (unsafe { read::<f32, 2>(cx, "glWindowPos2fvARB", v) }) else { return }; cx.window_pos(v[0], v[1], 0.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2fvMESA(v: *const f32) {
-    enter("glWindowPos2fvMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2fvMESA", &SAID) })
+    enter("glWindowPos2fvMESA", |cx| { let Some(v) = (unsafe { read::<f32, 2>(cx, "glWindowPos2fvMESA", v) }) else { return }; cx.window_pos(v[0], v[1], 0.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2i(x: i32, y: i32) {
-    enter("glWindowPos2i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2i", &SAID) })
+    enter("glWindowPos2i", |cx| cx.window_pos(x as f32, y as f32, 0.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2iARB(x: i32, y: i32) {
-    enter("glWindowPos2iARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2iARB", &SAID) })
+    enter("glWindowPos2iARB", |cx| cx.window_pos(x as f32, y as f32, 0.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2iMESA(x: i32, y: i32) {
-    enter("glWindowPos2iMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2iMESA", &SAID) })
+    enter("glWindowPos2iMESA", |cx| cx.window_pos(x as f32, y as f32, 0.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2iv(v: *const i32) {
-    enter("glWindowPos2iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2iv", &SAID) })
+    enter("glWindowPos2iv", |cx| { let Some(v) = (unsafe { read::<i32, 2>(cx, "glWindowPos2iv", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, 0.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2ivARB(v: *const i32) {
-    enter("glWindowPos2ivARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2ivARB", &SAID) })
+    enter("glWindowPos2ivARB", |cx| { let Some(v) = (unsafe { read::<i32, 2>(cx, "glWindowPos2ivARB", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, 0.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2ivMESA(v: *const i32) {
-    enter("glWindowPos2ivMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2ivMESA", &SAID) })
+    enter("glWindowPos2ivMESA", |cx| { let Some(v) = (unsafe { read::<i32, 2>(cx, "glWindowPos2ivMESA", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, 0.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2s(x: i16, y: i16) {
-    enter("glWindowPos2s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2s", &SAID) })
+    enter("glWindowPos2s", |cx| cx.window_pos(x as f32, y as f32, 0.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2sARB(x: i16, y: i16) {
-    enter("glWindowPos2sARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2sARB", &SAID) })
+    enter("glWindowPos2sARB", |cx| cx.window_pos(x as f32, y as f32, 0.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2sMESA(x: i16, y: i16) {
-    enter("glWindowPos2sMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2sMESA", &SAID) })
+    enter("glWindowPos2sMESA", |cx| cx.window_pos(x as f32, y as f32, 0.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2sv(v: *const i16) {
-    enter("glWindowPos2sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2sv", &SAID) })
+    enter("glWindowPos2sv", |cx| { let Some(v) = (unsafe { read::<i16, 2>(cx, "glWindowPos2sv", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, 0.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2svARB(v: *const i16) {
-    enter("glWindowPos2svARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2svARB", &SAID) })
+    enter("glWindowPos2svARB", |cx| { let Some(v) = (unsafe { read::<i16, 2>(cx, "glWindowPos2svARB", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, 0.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos2svMESA(v: *const i16) {
-    enter("glWindowPos2svMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos2svMESA", &SAID) })
+    enter("glWindowPos2svMESA", |cx| { let Some(v) = (unsafe { read::<i16, 2>(cx, "glWindowPos2svMESA", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, 0.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3d(x: f64, y: f64, z: f64) {
-    enter("glWindowPos3d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3d", &SAID) })
+    enter("glWindowPos3d", |cx| cx.window_pos(x as f32, y as f32, z as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3dARB(x: f64, y: f64, z: f64) {
-    enter("glWindowPos3dARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3dARB", &SAID) })
+    enter("glWindowPos3dARB", |cx| cx.window_pos(x as f32, y as f32, z as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3dMESA(x: f64, y: f64, z: f64) {
-    enter("glWindowPos3dMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3dMESA", &SAID) })
+    enter("glWindowPos3dMESA", |cx| cx.window_pos(x as f32, y as f32, z as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3dv(v: *const f64) {
-    enter("glWindowPos3dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3dv", &SAID) })
+    enter("glWindowPos3dv", |cx| { let Some(v) = (unsafe { read::<f64, 3>(cx, "glWindowPos3dv", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, v[2] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3dvARB(v: *const f64) {
-    enter("glWindowPos3dvARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3dvARB", &SAID) })
+    enter("glWindowPos3dvARB", |cx| { let Some(v) = (unsafe { read::<f64, 3>(cx, "glWindowPos3dvARB", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, v[2] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3dvMESA(v: *const f64) {
-    enter("glWindowPos3dvMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3dvMESA", &SAID) })
+    enter("glWindowPos3dvMESA", |cx| { let Some(v) = (unsafe { read::<f64, 3>(cx, "glWindowPos3dvMESA", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, v[2] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3f(x: f32, y: f32, z: f32) {
-    enter("glWindowPos3f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3f", &SAID) })
+    enter("glWindowPos3f", |cx| cx.window_pos(x, y, z))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3fARB(x: f32, y: f32, z: f32) {
-    enter("glWindowPos3fARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3fARB", &SAID) })
+    enter("glWindowPos3fARB", |cx| cx.window_pos(x, y, z))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3fMESA(x: f32, y: f32, z: f32) {
-    enter("glWindowPos3fMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3fMESA", &SAID) })
+    enter("glWindowPos3fMESA", |cx| cx.window_pos(x, y, z))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3fv(v: *const f32) {
-    enter("glWindowPos3fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3fv", &SAID) })
+    enter("glWindowPos3fv", |cx| { let Some(v) = (unsafe { read::<f32, 3>(cx, "glWindowPos3fv", v) }) else { return }; cx.window_pos(v[0], v[1], v[2]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3fvARB(v: *const f32) {
-    enter("glWindowPos3fvARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3fvARB", &SAID) })
+    enter("glWindowPos3fvARB", |cx| { let Some(v) = (unsafe { read::<f32, 3>(cx, "glWindowPos3fvARB", v) }) else { return }; cx.window_pos(v[0], v[1], v[2]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3fvMESA(v: *const f32) {
-    enter("glWindowPos3fvMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3fvMESA", &SAID) })
+    enter("glWindowPos3fvMESA", |cx| { let Some(v) = (unsafe { read::<f32, 3>(cx, "glWindowPos3fvMESA", v) }) else { return }; cx.window_pos(v[0], v[1], v[2]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3i(x: i32, y: i32, z: i32) {
-    enter("glWindowPos3i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3i", &SAID) })
+    enter("glWindowPos3i", |cx| cx.window_pos(x as f32, y as f32, z as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3iARB(x: i32, y: i32, z: i32) {
-    enter("glWindowPos3iARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3iARB", &SAID) })
+    enter("glWindowPos3iARB", |cx| cx.window_pos(x as f32, y as f32, z as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3iMESA(x: i32, y: i32, z: i32) {
-    enter("glWindowPos3iMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3iMESA", &SAID) })
+    enter("glWindowPos3iMESA", |cx| cx.window_pos(x as f32, y as f32, z as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3iv(v: *const i32) {
-    enter("glWindowPos3iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3iv", &SAID) })
+    enter("glWindowPos3iv", |cx| { let Some(v) = (unsafe { read::<i32, 3>(cx, "glWindowPos3iv", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, v[2] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3ivARB(v: *const i32) {
-    enter("glWindowPos3ivARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3ivARB", &SAID) })
+    enter("glWindowPos3ivARB", |cx| { let Some(v) = (unsafe { read::<i32, 3>(cx, "glWindowPos3ivARB", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, v[2] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3ivMESA(v: *const i32) {
-    enter("glWindowPos3ivMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3ivMESA", &SAID) })
+    enter("glWindowPos3ivMESA", |cx| { let Some(v) = (unsafe { read::<i32, 3>(cx, "glWindowPos3ivMESA", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, v[2] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3s(x: i16, y: i16, z: i16) {
-    enter("glWindowPos3s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3s", &SAID) })
+    enter("glWindowPos3s", |cx| cx.window_pos(x as f32, y as f32, z as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3sARB(x: i16, y: i16, z: i16) {
-    enter("glWindowPos3sARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3sARB", &SAID) })
+    enter("glWindowPos3sARB", |cx| cx.window_pos(x as f32, y as f32, z as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3sMESA(x: i16, y: i16, z: i16) {
-    enter("glWindowPos3sMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3sMESA", &SAID) })
+    enter("glWindowPos3sMESA", |cx| cx.window_pos(x as f32, y as f32, z as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3sv(v: *const i16) {
-    enter("glWindowPos3sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3sv", &SAID) })
+    enter("glWindowPos3sv", |cx| { let Some(v) = (unsafe { read::<i16, 3>(cx, "glWindowPos3sv", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, v[2] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3svARB(v: *const i16) {
-    enter("glWindowPos3svARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3svARB", &SAID) })
+    enter("glWindowPos3svARB", |cx| { let Some(v) = (unsafe { read::<i16, 3>(cx, "glWindowPos3svARB", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, v[2] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos3svMESA(v: *const i16) {
-    enter("glWindowPos3svMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos3svMESA", &SAID) })
+    enter("glWindowPos3svMESA", |cx| { let Some(v) = (unsafe { read::<i16, 3>(cx, "glWindowPos3svMESA", v) }) else { return }; cx.window_pos(v[0] as f32, v[1] as f32, v[2] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos4dMESA(x: f64, y: f64, z: f64, w: f64) {
