@@ -34,11 +34,11 @@ pub unsafe extern "C" fn glAlphaFunc(func: u32, ref_: f32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glAreTexturesResident(n: i32, textures: *const u32, residences: *mut u8) -> u8 {
-    enter("glAreTexturesResident", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glAreTexturesResident", &SAID) })
+    enter("glAreTexturesResident", |cx| unsafe { commands::textures::glAreTexturesResident(cx, n, textures, residences) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glAreTexturesResidentEXT(n: i32, textures: *const u32, residences: *mut u8) -> u8 {
-    enter("glAreTexturesResidentEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glAreTexturesResidentEXT", &SAID) })
+    enter("glAreTexturesResidentEXT", |cx| unsafe { commands::textures::glAreTexturesResident(cx, n, textures, residences) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glArrayElement(i: i32) {
@@ -186,7 +186,7 @@ pub unsafe extern "C" fn glCallList(list: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCallLists(n: i32, type_: u32, lists: *const c_void) {
-    enter("glCallLists", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCallLists", &SAID) })
+    enter("glCallLists", |cx| unsafe { commands::lists::glCallLists(cx, n, type_, lists) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCheckFramebufferStatus(target: u32) -> u32 {
@@ -234,7 +234,7 @@ pub unsafe extern "C" fn glClientActiveTextureARB(texture: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glClipPlane(plane: u32, equation: *const f64) {
-    enter("glClipPlane", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glClipPlane", &SAID) })
+    enter("glClipPlane", |cx| unsafe { commands::parameters::glClipPlane(cx, plane, equation) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColor3b(red: i8, green: i8, blue: i8) {
@@ -610,11 +610,11 @@ pub unsafe extern "C" fn glDeleteShader(shader: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDeleteTextures(n: i32, textures: *const u32) {
-    enter("glDeleteTextures", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDeleteTextures", &SAID) })
+    enter("glDeleteTextures", |cx| unsafe { commands::textures::glDeleteTextures(cx, n, textures) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDeleteTexturesEXT(n: i32, textures: *const u32) {
-    enter("glDeleteTexturesEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDeleteTexturesEXT", &SAID) })
+    enter("glDeleteTexturesEXT", |cx| unsafe { commands::textures::glDeleteTextures(cx, n, textures) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDepthFunc(func: u32) {
@@ -702,7 +702,7 @@ pub unsafe extern "C" fn glEdgeFlagPointerEXT(stride: i32, count: i32, pointer: 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEdgeFlagv(flag: *const u8) {
-    enter("glEdgeFlagv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEdgeFlagv", &SAID) })
+    enter("glEdgeFlagv", |cx| unsafe { commands::parameters::glEdgeFlagv(cx, flag) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEnable(cap: u32) {
@@ -938,11 +938,11 @@ pub unsafe extern "C" fn glGenRenderbuffersEXT(n: i32, renderbuffers: *mut u32) 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenTextures(n: i32, textures: *mut u32) {
-    enter("glGenTextures", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGenTextures", &SAID) })
+    enter("glGenTextures", |cx| unsafe { commands::textures::glGenTextures(cx, n, textures) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenTexturesEXT(n: i32, textures: *mut u32) {
-    enter("glGenTexturesEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGenTexturesEXT", &SAID) })
+    enter("glGenTexturesEXT", |cx| unsafe { commands::textures::glGenTextures(cx, n, textures) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenerateMipmap(target: u32) {
@@ -1014,7 +1014,7 @@ pub unsafe extern "C" fn glGetBufferSubDataARB(target: u32, offset: isize, size:
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetClipPlane(plane: u32, equation: *mut f64) {
-    enter("glGetClipPlane", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetClipPlane", &SAID) })
+    enter("glGetClipPlane", |cx| unsafe { commands::parameters::glGetClipPlane(cx, plane, equation) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetColorTable(target: u32, format: u32, type_: u32, table: *mut c_void) {
@@ -1162,7 +1162,7 @@ pub unsafe extern "C" fn glGetPointervEXT(pname: u32, params: *mut *mut c_void) 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetPolygonStipple(mask: *mut u8) {
-    enter("glGetPolygonStipple", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetPolygonStipple", &SAID) })
+    enter("glGetPolygonStipple", |cx| unsafe { commands::pixels::glGetPolygonStipple(cx, mask) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetProgramEnvParameterdvARB(target: u32, index: u32, params: *mut f64) {
@@ -1250,7 +1250,7 @@ pub unsafe extern "C" fn glGetShaderiv(shader: u32, pname: u32, params: *mut i32
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetString(name: u32) -> *const u8 {
-    enter("glGetString", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetString", &SAID) })
+    enter("glGetString", |cx| unsafe { commands::get::glGetString(cx, name) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetTexEnvfv(target: u32, pname: u32, params: *mut f32) {
@@ -1274,23 +1274,23 @@ pub unsafe extern "C" fn glGetTexGeniv(coord: u32, pname: u32, params: *mut i32)
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetTexImage(target: u32, level: i32, format: u32, type_: u32, pixels: *mut c_void) {
-    enter("glGetTexImage", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetTexImage", &SAID) })
+    enter("glGetTexImage", |cx| unsafe { commands::textures::glGetTexImage(cx, target, level, format, type_, pixels) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetTexLevelParameterfv(target: u32, level: i32, pname: u32, params: *mut f32) {
-    enter("glGetTexLevelParameterfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetTexLevelParameterfv", &SAID) })
+    enter("glGetTexLevelParameterfv", |cx| unsafe { commands::get::glGetTexLevelParameterfv(cx, target, level, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetTexLevelParameteriv(target: u32, level: i32, pname: u32, params: *mut i32) {
-    enter("glGetTexLevelParameteriv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetTexLevelParameteriv", &SAID) })
+    enter("glGetTexLevelParameteriv", |cx| unsafe { commands::get::glGetTexLevelParameteriv(cx, target, level, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetTexParameterfv(target: u32, pname: u32, params: *mut f32) {
-    enter("glGetTexParameterfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetTexParameterfv", &SAID) })
+    enter("glGetTexParameterfv", |cx| unsafe { commands::get::glGetTexParameterfv(cx, target, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetTexParameteriv(target: u32, pname: u32, params: *mut i32) {
-    enter("glGetTexParameteriv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetTexParameteriv", &SAID) })
+    enter("glGetTexParameteriv", |cx| unsafe { commands::get::glGetTexParameteriv(cx, target, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetUniformLocation(program: u32, name: *const c_char) -> i32 {
@@ -2070,7 +2070,7 @@ pub unsafe extern "C" fn glPolygonOffsetEXT(factor: f32, bias: f32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPolygonStipple(mask: *const u8) {
-    enter("glPolygonStipple", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPolygonStipple", &SAID) })
+    enter("glPolygonStipple", |cx| unsafe { commands::pixels::glPolygonStipple(cx, mask) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPopAttrib() {
@@ -2090,11 +2090,11 @@ pub unsafe extern "C" fn glPopName() {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPrioritizeTextures(n: i32, textures: *const u32, priorities: *const f32) {
-    enter("glPrioritizeTextures", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPrioritizeTextures", &SAID) })
+    enter("glPrioritizeTextures", |cx| unsafe { commands::textures::glPrioritizeTextures(cx, n, textures, priorities) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPrioritizeTexturesEXT(n: i32, textures: *const u32, priorities: *const f32) {
-    enter("glPrioritizeTexturesEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPrioritizeTexturesEXT", &SAID) })
+    enter("glPrioritizeTexturesEXT", |cx| unsafe { commands::textures::glPrioritizeTextures(cx, n, textures, priorities) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glProgramEnvParameter4dARB(target: u32, index: u32, x: f64, y: f64, z: f64, w: f64) {
@@ -2258,7 +2258,7 @@ pub unsafe extern "C" fn glReadBuffer(src: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glReadPixels(x: i32, y: i32, width: i32, height: i32, format: u32, type_: u32, pixels: *mut c_void) {
-    enter("glReadPixels", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glReadPixels", &SAID) })
+    enter("glReadPixels", |cx| unsafe { commands::pixels::glReadPixels(cx, x, y, width, height, format, type_, pixels) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRectd(x1: f64, y1: f64, x2: f64, y2: f64) {
@@ -2690,11 +2690,11 @@ pub unsafe extern "C" fn glTexEnviv(target: u32, pname: u32, params: *const i32)
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexGend(coord: u32, pname: u32, param: f64) {
-    enter("glTexGend", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexGend", &SAID) })
+    enter("glTexGend", |cx| unsafe { commands::parameters::glTexGend(cx, coord, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexGendv(coord: u32, pname: u32, params: *const f64) {
-    enter("glTexGendv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexGendv", &SAID) })
+    enter("glTexGendv", |cx| unsafe { commands::parameters::glTexGendv(cx, coord, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexGenf(coord: u32, pname: u32, param: f32) {
@@ -2714,19 +2714,19 @@ pub unsafe extern "C" fn glTexGeniv(coord: u32, pname: u32, params: *const i32) 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexImage1D(target: u32, level: i32, internalformat: i32, width: i32, border: i32, format: u32, type_: u32, pixels: *const c_void) {
-    enter("glTexImage1D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexImage1D", &SAID) })
+    enter("glTexImage1D", |cx| unsafe { commands::textures::glTexImage1D(cx, target, level, internalformat, width, border, format, type_, pixels) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexImage2D(target: u32, level: i32, internalformat: i32, width: i32, height: i32, border: i32, format: u32, type_: u32, pixels: *const c_void) {
-    enter("glTexImage2D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexImage2D", &SAID) })
+    enter("glTexImage2D", |cx| unsafe { commands::textures::glTexImage2D(cx, target, level, internalformat, width, height, border, format, type_, pixels) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexImage3D(target: u32, level: i32, internalformat: i32, width: i32, height: i32, depth: i32, border: i32, format: u32, type_: u32, pixels: *const c_void) {
-    enter("glTexImage3D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexImage3D", &SAID) })
+    enter("glTexImage3D", |cx| unsafe { commands::textures::glTexImage3D(cx, target, level, internalformat, width, height, depth, border, format, type_, pixels) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexImage3DEXT(target: u32, level: i32, internalformat: u32, width: i32, height: i32, depth: i32, border: i32, format: u32, type_: u32, pixels: *const c_void) {
-    enter("glTexImage3DEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexImage3DEXT", &SAID) })
+    enter("glTexImage3DEXT", |cx| unsafe { commands::textures::glTexImage3DEXT(cx, target, level, internalformat, width, height, depth, border, format, type_, pixels) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexParameterf(target: u32, pname: u32, param: f32) {
@@ -2734,7 +2734,7 @@ pub unsafe extern "C" fn glTexParameterf(target: u32, pname: u32, param: f32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexParameterfv(target: u32, pname: u32, params: *const f32) {
-    enter("glTexParameterfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexParameterfv", &SAID) })
+    enter("glTexParameterfv", |cx| unsafe { commands::textures::glTexParameterfv(cx, target, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexParameteri(target: u32, pname: u32, param: i32) {
@@ -2742,31 +2742,31 @@ pub unsafe extern "C" fn glTexParameteri(target: u32, pname: u32, param: i32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexParameteriv(target: u32, pname: u32, params: *const i32) {
-    enter("glTexParameteriv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexParameteriv", &SAID) })
+    enter("glTexParameteriv", |cx| unsafe { commands::textures::glTexParameteriv(cx, target, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexSubImage1D(target: u32, level: i32, xoffset: i32, width: i32, format: u32, type_: u32, pixels: *const c_void) {
-    enter("glTexSubImage1D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexSubImage1D", &SAID) })
+    enter("glTexSubImage1D", |cx| unsafe { commands::textures::glTexSubImage1D(cx, target, level, xoffset, width, format, type_, pixels) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexSubImage1DEXT(target: u32, level: i32, xoffset: i32, width: i32, format: u32, type_: u32, pixels: *const c_void) {
-    enter("glTexSubImage1DEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexSubImage1DEXT", &SAID) })
+    enter("glTexSubImage1DEXT", |cx| unsafe { commands::textures::glTexSubImage1D(cx, target, level, xoffset, width, format, type_, pixels) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexSubImage2D(target: u32, level: i32, xoffset: i32, yoffset: i32, width: i32, height: i32, format: u32, type_: u32, pixels: *const c_void) {
-    enter("glTexSubImage2D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexSubImage2D", &SAID) })
+    enter("glTexSubImage2D", |cx| unsafe { commands::textures::glTexSubImage2D(cx, target, level, xoffset, yoffset, width, height, format, type_, pixels) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexSubImage2DEXT(target: u32, level: i32, xoffset: i32, yoffset: i32, width: i32, height: i32, format: u32, type_: u32, pixels: *const c_void) {
-    enter("glTexSubImage2DEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexSubImage2DEXT", &SAID) })
+    enter("glTexSubImage2DEXT", |cx| unsafe { commands::textures::glTexSubImage2D(cx, target, level, xoffset, yoffset, width, height, format, type_, pixels) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexSubImage3D(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, width: i32, height: i32, depth: i32, format: u32, type_: u32, pixels: *const c_void) {
-    enter("glTexSubImage3D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexSubImage3D", &SAID) })
+    enter("glTexSubImage3D", |cx| unsafe { commands::textures::glTexSubImage3D(cx, target, level, xoffset, yoffset, zoffset, width, height, depth, format, type_, pixels) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexSubImage3DEXT(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, width: i32, height: i32, depth: i32, format: u32, type_: u32, pixels: *const c_void) {
-    enter("glTexSubImage3DEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexSubImage3DEXT", &SAID) })
+    enter("glTexSubImage3DEXT", |cx| unsafe { commands::textures::glTexSubImage3D(cx, target, level, xoffset, yoffset, zoffset, width, height, depth, format, type_, pixels) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTranslated(x: f64, y: f64, z: f64) {
