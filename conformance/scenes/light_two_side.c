@@ -8,7 +8,7 @@ SCENE(light_two_side, SHADED, 256, 256, 0, "two-sided lighting of an open shell"
     perspective(45, (double)width / height, 1, 20);
     glLightfv(GL_LIGHT0, GL_POSITION, position);
     glTranslatef(0, 0, -4);
-    glRotatef(35, 1, 0.3f, 0);
+    glRotatef(-50, 0.2f, 1, 0.1f);
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
     glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, front);
     glMaterialfv(GL_BACK, GL_AMBIENT_AND_DIFFUSE, back);
@@ -20,7 +20,7 @@ SCENE(light_two_side, SHADED, 256, 256, 0, "two-sided lighting of an open shell"
         glBegin(GL_TRIANGLE_STRIP);
         for (int j = 0; j <= 10; j++)
             for (int k = 0; k < 2; k++) {
-                double a = (i + k) * M_PI / 14, b = j * M_PI / 10;
+                double a = (i + 1 - k) * M_PI / 14, b = j * M_PI / 10;
                 glNormal3d(cos(a) * sin(b), sin(a) * sin(b), cos(b));
                 glVertex3d(1.2 * cos(a) * sin(b), 1.2 * sin(a) * sin(b), 1.2 * cos(b));
             }
