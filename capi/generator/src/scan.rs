@@ -10,14 +10,12 @@ pub struct Function {
     pub args: Vec<String>,
     /// Result type, empty for none.
     pub result: String,
-    /// Module path of a hand-written shim below `commands`.
-    pub module: String,
 }
 
 /// What was found.
 pub struct Sources {
-    /// `pub unsafe fn glName(cx: &mut Context, ...)` below `capi/src/commands`.
-    pub shims: BTreeMap<String, Function>,
+    /// Module of every `pub unsafe fn glName(cx: &mut Context, ...)` below `capi/src/commands`.
+    pub shims: BTreeMap<String, String>,
     /// `pub fn name(&mut self, ...)` in `impl Context` below `src/gl`.
     pub methods: BTreeMap<String, Function>,
 }
@@ -90,7 +88,24 @@ fn functions(source: &str) -> Vec<(String, String, Function)> {
         let Some((inside, rest)) = balanced(&after[open + 1..]) else { continue };
         let result = rest.split('{').next().unwrap_or("").split(" where").next().unwrap_or("").trim();
         let result = result.strip_prefix("->").unwrap_or("").trim().to_string();
-        found.push((block.clone(), after[..open].to_string(), Function { args: arguments(inside), result, module: String::new() }));
+        found.push((block.clone(), after[..open].to_string(), Function { args: arguments(inside), result }));
+    }
+    found
+}
+
+/// Names of shims that a macro makes: every `glName` in a block `something! { ... }` at the left margin.
+fn made_by_macros(source: &str) -> Vec<String> {
+    let (mut found, mut inside) = (Vec::new(), false);
+    for line in source.lines() {
+        if line.ends_with("! {") && !line.starts_with(' ') {
+            inside = true;
+        } else if line.starts_with('}') {
+            inside = false;
+        } else if inside {
+            let words = line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+            let is_command = |w: &&str| w.strip_prefix("gl").is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_uppercase()));
+            found.extend(words.filter(is_command).map(str::to_string));
+        }
     }
     found
 }
@@ -116,12 +131,9 @@ pub fn scan(root: &Path) -> Sources {
         let text = std::fs::read_to_string(&path).unwrap_or_default();
         let module = path.strip_prefix(&commands).unwrap_or(&path).with_extension("");
         let module = module.components().map(|c| c.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("::");
-        for (_, name, mut function) in functions(&text) {
-            if name.starts_with("gl") && !function.args.is_empty() {
-                function.args.remove(0);
-                function.module = module.clone();
-                sources.shims.insert(name, function);
-            }
+        let names = functions(&text).into_iter().map(|(_, name, _)| name).filter(|name| name.starts_with("gl"));
+        for name in names.chain(made_by_macros(&text)) {
+            sources.shims.insert(name, module.clone());
         }
     }
     sources

@@ -119,9 +119,9 @@ fn by_family(command: &Command, sources: &Sources) -> Option<String> {
 pub fn body(registry: &Registry, sources: &Sources, command: &Command) -> Body {
     let names = spellings(registry, command);
     for name in &names {
-        if let Some(shim) = sources.shims.get(*name).filter(|s| s.args.len() == command.params.len()) {
+        if let Some(shim) = sources.shims.get(*name) {
             let args: Vec<String> = std::iter::once("cx".to_string()).chain(command.params.iter().map(|p| rust_name(&p.name))).collect();
-            return Body::Call(format!("unsafe {{ commands::{}::{name}({}) }}", shim.module, args.join(", ")));
+            return Body::Call(format!("unsafe {{ commands::{}::{name}({}) }}", shim, args.join(", ")));
         }
     }
     for name in &names {

@@ -126,7 +126,7 @@ pub unsafe extern "C" fn OSMesaCreateContextAttribs(attributes: *const c_int, sh
     guard("OSMesaCreateContextAttribs", None, || create_from_list(&list, sharelist)).unwrap_or(std::ptr::null_mut())
 }
 
-/// Destroys a context; if it is current, no context is current then. What was drawn and not flushed is written first.
+/// Destroys a context; if it is current, no context is current then. What was drawn and not flushed is lost, as with Mesa.
 ///
 /// # Safety
 /// No other thread is inside a command on the context.
