@@ -838,19 +838,19 @@ pub unsafe extern "C" fn glFogCoordfvEXT(coord: *const f32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogf(pname: u32, param: f32) {
-    enter("glFogf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogf", &SAID) })
+    enter("glFogf", |cx| unsafe { commands::parameters::glFogf(cx, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogfv(pname: u32, params: *const f32) {
-    enter("glFogfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogfv", &SAID) })
+    enter("glFogfv", |cx| unsafe { commands::parameters::glFogfv(cx, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogi(pname: u32, param: i32) {
-    enter("glFogi", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogi", &SAID) })
+    enter("glFogi", |cx| unsafe { commands::parameters::glFogi(cx, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogiv(pname: u32, params: *const i32) {
-    enter("glFogiv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogiv", &SAID) })
+    enter("glFogiv", |cx| unsafe { commands::parameters::glFogiv(cx, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFramebufferRenderbuffer(target: u32, attachment: u32, renderbuffertarget: u32, renderbuffer: u32) {
@@ -986,7 +986,7 @@ pub unsafe extern "C" fn glGetAttribLocationARB(programObj: u32, name: *const c_
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetBooleanv(pname: u32, data: *mut u8) {
-    enter("glGetBooleanv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetBooleanv", &SAID) })
+    enter("glGetBooleanv", |cx| unsafe { commands::get::glGetBooleanv(cx, pname, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetBufferParameteriv(target: u32, pname: u32, params: *mut i32) {
@@ -1050,7 +1050,7 @@ pub unsafe extern "C" fn glGetConvolutionParameteriv(target: u32, pname: u32, pa
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetDoublev(pname: u32, data: *mut f64) {
-    enter("glGetDoublev", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetDoublev", &SAID) })
+    enter("glGetDoublev", |cx| unsafe { commands::get::glGetDoublev(cx, pname, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetError() -> u32 {
@@ -1058,7 +1058,7 @@ pub unsafe extern "C" fn glGetError() -> u32 {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetFloatv(pname: u32, data: *mut f32) {
-    enter("glGetFloatv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetFloatv", &SAID) })
+    enter("glGetFloatv", |cx| unsafe { commands::get::glGetFloatv(cx, pname, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetFramebufferAttachmentParameteriv(target: u32, attachment: u32, pname: u32, params: *mut i32) {
@@ -1090,15 +1090,15 @@ pub unsafe extern "C" fn glGetInfoLogARB(obj: u32, maxLength: i32, length: *mut 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetIntegerv(pname: u32, data: *mut i32) {
-    enter("glGetIntegerv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetIntegerv", &SAID) })
+    enter("glGetIntegerv", |cx| unsafe { commands::get::glGetIntegerv(cx, pname, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetLightfv(light: u32, pname: u32, params: *mut f32) {
-    enter("glGetLightfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetLightfv", &SAID) })
+    enter("glGetLightfv", |cx| unsafe { commands::get::glGetLightfv(cx, light, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetLightiv(light: u32, pname: u32, params: *mut i32) {
-    enter("glGetLightiv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetLightiv", &SAID) })
+    enter("glGetLightiv", |cx| unsafe { commands::get::glGetLightiv(cx, light, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetMapdv(target: u32, query: u32, v: *mut f64) {
@@ -1114,11 +1114,11 @@ pub unsafe extern "C" fn glGetMapiv(target: u32, query: u32, v: *mut i32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetMaterialfv(face: u32, pname: u32, params: *mut f32) {
-    enter("glGetMaterialfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetMaterialfv", &SAID) })
+    enter("glGetMaterialfv", |cx| unsafe { commands::get::glGetMaterialfv(cx, face, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetMaterialiv(face: u32, pname: u32, params: *mut i32) {
-    enter("glGetMaterialiv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetMaterialiv", &SAID) })
+    enter("glGetMaterialiv", |cx| unsafe { commands::get::glGetMaterialiv(cx, face, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetMinmax(target: u32, reset: u8, format: u32, type_: u32, values: *mut c_void) {
@@ -1142,15 +1142,15 @@ pub unsafe extern "C" fn glGetObjectParameterivARB(obj: u32, pname: u32, params:
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetPixelMapfv(map: u32, values: *mut f32) {
-    enter("glGetPixelMapfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetPixelMapfv", &SAID) })
+    enter("glGetPixelMapfv", |cx| unsafe { commands::pixels::glGetPixelMapfv(cx, map, values) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetPixelMapuiv(map: u32, values: *mut u32) {
-    enter("glGetPixelMapuiv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetPixelMapuiv", &SAID) })
+    enter("glGetPixelMapuiv", |cx| unsafe { commands::pixels::glGetPixelMapuiv(cx, map, values) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetPixelMapusv(map: u32, values: *mut u16) {
-    enter("glGetPixelMapusv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetPixelMapusv", &SAID) })
+    enter("glGetPixelMapusv", |cx| unsafe { commands::pixels::glGetPixelMapusv(cx, map, values) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetPointerv(pname: u32, params: *mut *mut c_void) {
@@ -1254,23 +1254,23 @@ pub unsafe extern "C" fn glGetString(name: u32) -> *const u8 {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetTexEnvfv(target: u32, pname: u32, params: *mut f32) {
-    enter("glGetTexEnvfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetTexEnvfv", &SAID) })
+    enter("glGetTexEnvfv", |cx| unsafe { commands::get::glGetTexEnvfv(cx, target, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetTexEnviv(target: u32, pname: u32, params: *mut i32) {
-    enter("glGetTexEnviv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetTexEnviv", &SAID) })
+    enter("glGetTexEnviv", |cx| unsafe { commands::get::glGetTexEnviv(cx, target, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetTexGendv(coord: u32, pname: u32, params: *mut f64) {
-    enter("glGetTexGendv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetTexGendv", &SAID) })
+    enter("glGetTexGendv", |cx| unsafe { commands::get::glGetTexGendv(cx, coord, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetTexGenfv(coord: u32, pname: u32, params: *mut f32) {
-    enter("glGetTexGenfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetTexGenfv", &SAID) })
+    enter("glGetTexGenfv", |cx| unsafe { commands::get::glGetTexGenfv(cx, coord, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetTexGeniv(coord: u32, pname: u32, params: *mut i32) {
-    enter("glGetTexGeniv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetTexGeniv", &SAID) })
+    enter("glGetTexGeniv", |cx| unsafe { commands::get::glGetTexGeniv(cx, coord, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetTexImage(target: u32, level: i32, format: u32, type_: u32, pixels: *mut c_void) {
@@ -1478,35 +1478,35 @@ pub unsafe extern "C" fn glIsTextureEXT(texture: u32) -> u8 {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLightModelf(pname: u32, param: f32) {
-    enter("glLightModelf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLightModelf", &SAID) })
+    enter("glLightModelf", |cx| unsafe { commands::parameters::glLightModelf(cx, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLightModelfv(pname: u32, params: *const f32) {
-    enter("glLightModelfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLightModelfv", &SAID) })
+    enter("glLightModelfv", |cx| unsafe { commands::parameters::glLightModelfv(cx, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLightModeli(pname: u32, param: i32) {
-    enter("glLightModeli", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLightModeli", &SAID) })
+    enter("glLightModeli", |cx| unsafe { commands::parameters::glLightModeli(cx, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLightModeliv(pname: u32, params: *const i32) {
-    enter("glLightModeliv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLightModeliv", &SAID) })
+    enter("glLightModeliv", |cx| unsafe { commands::parameters::glLightModeliv(cx, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLightf(light: u32, pname: u32, param: f32) {
-    enter("glLightf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLightf", &SAID) })
+    enter("glLightf", |cx| unsafe { commands::parameters::glLightf(cx, light, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLightfv(light: u32, pname: u32, params: *const f32) {
-    enter("glLightfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLightfv", &SAID) })
+    enter("glLightfv", |cx| unsafe { commands::parameters::glLightfv(cx, light, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLighti(light: u32, pname: u32, param: i32) {
-    enter("glLighti", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLighti", &SAID) })
+    enter("glLighti", |cx| unsafe { commands::parameters::glLighti(cx, light, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLightiv(light: u32, pname: u32, params: *const i32) {
-    enter("glLightiv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLightiv", &SAID) })
+    enter("glLightiv", |cx| unsafe { commands::parameters::glLightiv(cx, light, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLineStipple(factor: i32, pattern: u16) {
@@ -1534,11 +1534,11 @@ pub unsafe extern "C" fn glLoadIdentity() {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLoadMatrixd(m: *const f64) {
-    enter("glLoadMatrixd", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLoadMatrixd", &SAID) })
+    enter("glLoadMatrixd", |cx| unsafe { commands::matrices::glLoadMatrixd(cx, m) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLoadMatrixf(m: *const f32) {
-    enter("glLoadMatrixf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLoadMatrixf", &SAID) })
+    enter("glLoadMatrixf", |cx| unsafe { commands::matrices::glLoadMatrixf(cx, m) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLoadName(name: u32) {
@@ -1546,19 +1546,19 @@ pub unsafe extern "C" fn glLoadName(name: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLoadTransposeMatrixd(m: *const f64) {
-    enter("glLoadTransposeMatrixd", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLoadTransposeMatrixd", &SAID) })
+    enter("glLoadTransposeMatrixd", |cx| unsafe { commands::matrices::glLoadTransposeMatrixd(cx, m) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLoadTransposeMatrixdARB(m: *const f64) {
-    enter("glLoadTransposeMatrixdARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLoadTransposeMatrixdARB", &SAID) })
+    enter("glLoadTransposeMatrixdARB", |cx| unsafe { commands::matrices::glLoadTransposeMatrixd(cx, m) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLoadTransposeMatrixf(m: *const f32) {
-    enter("glLoadTransposeMatrixf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLoadTransposeMatrixf", &SAID) })
+    enter("glLoadTransposeMatrixf", |cx| unsafe { commands::matrices::glLoadTransposeMatrixf(cx, m) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLoadTransposeMatrixfARB(m: *const f32) {
-    enter("glLoadTransposeMatrixfARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLoadTransposeMatrixfARB", &SAID) })
+    enter("glLoadTransposeMatrixfARB", |cx| unsafe { commands::matrices::glLoadTransposeMatrixf(cx, m) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLockArraysEXT(first: i32, count: i32) {
@@ -1610,19 +1610,19 @@ pub unsafe extern "C" fn glMapGrid2f(un: i32, u1: f32, u2: f32, vn: i32, v1: f32
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMaterialf(face: u32, pname: u32, param: f32) {
-    enter("glMaterialf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMaterialf", &SAID) })
+    enter("glMaterialf", |cx| unsafe { commands::parameters::glMaterialf(cx, face, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMaterialfv(face: u32, pname: u32, params: *const f32) {
-    enter("glMaterialfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMaterialfv", &SAID) })
+    enter("glMaterialfv", |cx| unsafe { commands::parameters::glMaterialfv(cx, face, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMateriali(face: u32, pname: u32, param: i32) {
-    enter("glMateriali", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMateriali", &SAID) })
+    enter("glMateriali", |cx| unsafe { commands::parameters::glMateriali(cx, face, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMaterialiv(face: u32, pname: u32, params: *const i32) {
-    enter("glMaterialiv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMaterialiv", &SAID) })
+    enter("glMaterialiv", |cx| unsafe { commands::parameters::glMaterialiv(cx, face, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMatrixMode(mode: u32) {
@@ -1634,27 +1634,27 @@ pub unsafe extern "C" fn glMinmax(target: u32, internalformat: u32, sink: u8) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultMatrixd(m: *const f64) {
-    enter("glMultMatrixd", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultMatrixd", &SAID) })
+    enter("glMultMatrixd", |cx| unsafe { commands::matrices::glMultMatrixd(cx, m) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultMatrixf(m: *const f32) {
-    enter("glMultMatrixf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultMatrixf", &SAID) })
+    enter("glMultMatrixf", |cx| unsafe { commands::matrices::glMultMatrixf(cx, m) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultTransposeMatrixd(m: *const f64) {
-    enter("glMultTransposeMatrixd", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultTransposeMatrixd", &SAID) })
+    enter("glMultTransposeMatrixd", |cx| unsafe { commands::matrices::glMultTransposeMatrixd(cx, m) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultTransposeMatrixdARB(m: *const f64) {
-    enter("glMultTransposeMatrixdARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultTransposeMatrixdARB", &SAID) })
+    enter("glMultTransposeMatrixdARB", |cx| unsafe { commands::matrices::glMultTransposeMatrixd(cx, m) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultTransposeMatrixf(m: *const f32) {
-    enter("glMultTransposeMatrixf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultTransposeMatrixf", &SAID) })
+    enter("glMultTransposeMatrixf", |cx| unsafe { commands::matrices::glMultTransposeMatrixf(cx, m) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultTransposeMatrixfARB(m: *const f32) {
-    enter("glMultTransposeMatrixfARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultTransposeMatrixfARB", &SAID) })
+    enter("glMultTransposeMatrixfARB", |cx| unsafe { commands::matrices::glMultTransposeMatrixf(cx, m) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiDrawArrays(mode: u32, first: *const i32, count: *const i32, drawcount: i32) {
@@ -1990,15 +1990,15 @@ pub unsafe extern "C" fn glPassThrough(token: f32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPixelMapfv(map: u32, mapsize: i32, values: *const f32) {
-    enter("glPixelMapfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPixelMapfv", &SAID) })
+    enter("glPixelMapfv", |cx| unsafe { commands::pixels::glPixelMapfv(cx, map, mapsize, values) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPixelMapuiv(map: u32, mapsize: i32, values: *const u32) {
-    enter("glPixelMapuiv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPixelMapuiv", &SAID) })
+    enter("glPixelMapuiv", |cx| unsafe { commands::pixels::glPixelMapuiv(cx, map, mapsize, values) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPixelMapusv(map: u32, mapsize: i32, values: *const u16) {
-    enter("glPixelMapusv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPixelMapusv", &SAID) })
+    enter("glPixelMapusv", |cx| unsafe { commands::pixels::glPixelMapusv(cx, map, mapsize, values) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPixelStoref(pname: u32, param: f32) {
@@ -2022,35 +2022,35 @@ pub unsafe extern "C" fn glPixelZoom(xfactor: f32, yfactor: f32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPointParameterf(pname: u32, param: f32) {
-    enter("glPointParameterf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPointParameterf", &SAID) })
+    enter("glPointParameterf", |cx| unsafe { commands::parameters::glPointParameterf(cx, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPointParameterfARB(pname: u32, param: f32) {
-    enter("glPointParameterfARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPointParameterfARB", &SAID) })
+    enter("glPointParameterfARB", |cx| unsafe { commands::parameters::glPointParameterf(cx, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPointParameterfEXT(pname: u32, param: f32) {
-    enter("glPointParameterfEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPointParameterfEXT", &SAID) })
+    enter("glPointParameterfEXT", |cx| unsafe { commands::parameters::glPointParameterf(cx, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPointParameterfv(pname: u32, params: *const f32) {
-    enter("glPointParameterfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPointParameterfv", &SAID) })
+    enter("glPointParameterfv", |cx| unsafe { commands::parameters::glPointParameterfv(cx, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPointParameterfvARB(pname: u32, params: *const f32) {
-    enter("glPointParameterfvARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPointParameterfvARB", &SAID) })
+    enter("glPointParameterfvARB", |cx| unsafe { commands::parameters::glPointParameterfv(cx, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPointParameterfvEXT(pname: u32, params: *const f32) {
-    enter("glPointParameterfvEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPointParameterfvEXT", &SAID) })
+    enter("glPointParameterfvEXT", |cx| unsafe { commands::parameters::glPointParameterfv(cx, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPointParameteri(pname: u32, param: i32) {
-    enter("glPointParameteri", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPointParameteri", &SAID) })
+    enter("glPointParameteri", |cx| unsafe { commands::parameters::glPointParameteri(cx, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPointParameteriv(pname: u32, params: *const i32) {
-    enter("glPointParameteriv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPointParameteriv", &SAID) })
+    enter("glPointParameteriv", |cx| unsafe { commands::parameters::glPointParameteriv(cx, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPointSize(size: f32) {
@@ -2674,19 +2674,19 @@ pub unsafe extern "C" fn glTexCoordPointerEXT(size: i32, type_: u32, stride: i32
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexEnvf(target: u32, pname: u32, param: f32) {
-    enter("glTexEnvf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexEnvf", &SAID) })
+    enter("glTexEnvf", |cx| unsafe { commands::parameters::glTexEnvf(cx, target, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexEnvfv(target: u32, pname: u32, params: *const f32) {
-    enter("glTexEnvfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexEnvfv", &SAID) })
+    enter("glTexEnvfv", |cx| unsafe { commands::parameters::glTexEnvfv(cx, target, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexEnvi(target: u32, pname: u32, param: i32) {
-    enter("glTexEnvi", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexEnvi", &SAID) })
+    enter("glTexEnvi", |cx| unsafe { commands::parameters::glTexEnvi(cx, target, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexEnviv(target: u32, pname: u32, params: *const i32) {
-    enter("glTexEnviv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexEnviv", &SAID) })
+    enter("glTexEnviv", |cx| unsafe { commands::parameters::glTexEnviv(cx, target, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexGend(coord: u32, pname: u32, param: f64) {
@@ -2698,19 +2698,19 @@ pub unsafe extern "C" fn glTexGendv(coord: u32, pname: u32, params: *const f64) 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexGenf(coord: u32, pname: u32, param: f32) {
-    enter("glTexGenf", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexGenf", &SAID) })
+    enter("glTexGenf", |cx| unsafe { commands::parameters::glTexGenf(cx, coord, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexGenfv(coord: u32, pname: u32, params: *const f32) {
-    enter("glTexGenfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexGenfv", &SAID) })
+    enter("glTexGenfv", |cx| unsafe { commands::parameters::glTexGenfv(cx, coord, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexGeni(coord: u32, pname: u32, param: i32) {
-    enter("glTexGeni", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexGeni", &SAID) })
+    enter("glTexGeni", |cx| unsafe { commands::parameters::glTexGeni(cx, coord, pname, param) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexGeniv(coord: u32, pname: u32, params: *const i32) {
-    enter("glTexGeniv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexGeniv", &SAID) })
+    enter("glTexGeniv", |cx| unsafe { commands::parameters::glTexGeniv(cx, coord, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexImage1D(target: u32, level: i32, internalformat: i32, width: i32, border: i32, format: u32, type_: u32, pixels: *const c_void) {
