@@ -125,7 +125,9 @@ pub fn body(registry: &Registry, sources: &Sources, command: &Command) -> Body {
         }
     }
     for name in &names {
-        for snake in snake(name) {
+        // glMapGrid1d is map_grid1 where there is no map_grid1d.
+        let plain = name.strip_suffix(['f', 'd', 'i', 's']).map(snake).unwrap_or_default();
+        for snake in snake(name).into_iter().chain(plain) {
             if let Some(call) = sources.methods.get(&snake).and_then(|m| direct(command, &snake, m)) {
                 return Body::Call(call);
             }
