@@ -1102,15 +1102,15 @@ pub unsafe extern "C" fn glGetLightiv(light: u32, pname: u32, params: *mut i32) 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetMapdv(target: u32, query: u32, v: *mut f64) {
-    enter("glGetMapdv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetMapdv", &SAID) })
+    enter("glGetMapdv", |cx| unsafe { commands::evaluators::glGetMapdv(cx, target, query, v) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetMapfv(target: u32, query: u32, v: *mut f32) {
-    enter("glGetMapfv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetMapfv", &SAID) })
+    enter("glGetMapfv", |cx| unsafe { commands::evaluators::glGetMapfv(cx, target, query, v) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetMapiv(target: u32, query: u32, v: *mut i32) {
-    enter("glGetMapiv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetMapiv", &SAID) })
+    enter("glGetMapiv", |cx| unsafe { commands::evaluators::glGetMapiv(cx, target, query, v) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetMaterialfv(face: u32, pname: u32, params: *mut f32) {
@@ -1570,19 +1570,19 @@ pub unsafe extern "C" fn glLogicOp(opcode: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMap1d(target: u32, u1: f64, u2: f64, stride: i32, order: i32, points: *const f64) {
-    enter("glMap1d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMap1d", &SAID) })
+    enter("glMap1d", |cx| unsafe { commands::evaluators::glMap1d(cx, target, u1, u2, stride, order, points) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMap1f(target: u32, u1: f32, u2: f32, stride: i32, order: i32, points: *const f32) {
-    enter("glMap1f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMap1f", &SAID) })
+    enter("glMap1f", |cx| unsafe { commands::evaluators::glMap1f(cx, target, u1, u2, stride, order, points) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMap2d(target: u32, u1: f64, u2: f64, ustride: i32, uorder: i32, v1: f64, v2: f64, vstride: i32, vorder: i32, points: *const f64) {
-    enter("glMap2d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMap2d", &SAID) })
+    enter("glMap2d", |cx| unsafe { commands::evaluators::glMap2d(cx, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMap2f(target: u32, u1: f32, u2: f32, ustride: i32, uorder: i32, v1: f32, v2: f32, vstride: i32, vorder: i32, points: *const f32) {
-    enter("glMap2f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMap2f", &SAID) })
+    enter("glMap2f", |cx| unsafe { commands::evaluators::glMap2f(cx, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMapBuffer(target: u32, access: u32) -> *mut c_void {
@@ -1594,19 +1594,19 @@ pub unsafe extern "C" fn glMapBufferARB(target: u32, access: u32) -> *mut c_void
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMapGrid1d(un: i32, u1: f64, u2: f64) {
-    enter("glMapGrid1d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMapGrid1d", &SAID) })
+    enter("glMapGrid1d", |cx| cx.map_grid1(un, u1 as f32, u2 as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMapGrid1f(un: i32, u1: f32, u2: f32) {
-    enter("glMapGrid1f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMapGrid1f", &SAID) })
+    enter("glMapGrid1f", |cx| cx.map_grid1(un, u1, u2))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMapGrid2d(un: i32, u1: f64, u2: f64, vn: i32, v1: f64, v2: f64) {
-    enter("glMapGrid2d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMapGrid2d", &SAID) })
+    enter("glMapGrid2d", |cx| cx.map_grid2(un, u1 as f32, u2 as f32, vn, v1 as f32, v2 as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMapGrid2f(un: i32, u1: f32, u2: f32, vn: i32, v1: f32, v2: f32) {
-    enter("glMapGrid2f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMapGrid2f", &SAID) })
+    enter("glMapGrid2f", |cx| cx.map_grid2(un, u1, u2, vn, v1, v2))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMaterialf(face: u32, pname: u32, param: f32) {
