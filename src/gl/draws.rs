@@ -77,7 +77,4 @@ impl Context {
         self.derived_topology = topology;
         self.dirty = 0;
     }
-
-    /// room: state replaces this
-    fn select_or_feedback(&mut self, _assembled: &Assembled) {}
 }

@@ -23,9 +23,11 @@ pub mod copy_texture;
 pub mod enable;
 pub mod enums;
 pub mod evaluators;
+pub mod feedback;
 pub mod fog;
 pub mod fragment_operations;
 pub(crate) mod framebuffer;
+pub(crate) mod host_vertices;
 pub mod lighting;
 pub mod list;
 pub mod matrix;
@@ -40,6 +42,7 @@ pub mod query;
 pub mod query_table;
 pub mod raster_position;
 pub mod read_pixels;
+pub mod selection;
 pub mod state;
 pub mod strings;
 pub mod texenv;
@@ -87,6 +90,10 @@ pub struct Context {
     pub(crate) immediate: Immediate,
     pub(crate) lists: list::ListState,
     maps: evaluators::Maps,
+    selection: selection::Selection,
+    feedback: feedback::Feedback,
+    /// What shades vertices on the host, once it was needed.
+    host_shader: Option<Box<host_vertices::HostShader>>,
     attrib_stack: Vec<attrib_stack::SavedAttributes>,
     /// GL_RENDERER, once asked for.
     renderer: Option<std::ffi::CString>,
@@ -181,6 +188,9 @@ impl Context {
             immediate: Immediate::default(),
             lists: list::ListState::default(),
             maps: evaluators::Maps::default(),
+            selection: selection::Selection::default(),
+            feedback: feedback::Feedback::default(),
+            host_shader: None,
             attrib_stack: Vec::new(),
             renderer: None,
             pixel_objects: Default::default(),
