@@ -29,7 +29,13 @@ struct Client {
 }
 
 const CLIENTS: [Client; 2] = [
-    Client { name: "pyopengl-glu", needs: "pip install PyOpenGL; apt-get install libglu1-mesa", command: pyopengl, suffix: "png", per_mille: 1.0 },
+    Client {
+        name: "pyopengl-glu",
+        needs: "pip install PyOpenGL; apt-get install libglu1-mesa",
+        command: pyopengl,
+        suffix: "png",
+        per_mille: 1.0,
+    },
     Client { name: "glfw-osmesa", needs: "apt-get install libglfw3-dev xvfb xauth", command: glfw, suffix: "ppm", per_mille: 0.0 },
 ];
 

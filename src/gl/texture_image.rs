@@ -471,3 +471,6 @@ impl Context {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
