@@ -117,6 +117,7 @@ impl Context {
         }
         let mask = self.state.color_buffer.color_mask.iter().enumerate().fold(0, |m, (k, &on)| m | (on as u32) << k);
         self.flush_batch();
+        self.window_changed = true;
         self.accum_buffer();
         let (Some(buffer), Some(window)) = (self.pixel_objects.accum.as_mut(), self.window.as_mut()) else { return };
         let pixels = window.pixels_mut();

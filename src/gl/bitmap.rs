@@ -34,21 +34,17 @@ impl Context {
         if !self.state.current.raster.valid {
             return;
         }
-        match self.render_mode {
-            GL_RENDER if !set.is_empty() => {
-                let position = self.state.current.raster.position;
-                // The lower left corner is floored; the small addend makes 9.99999 ten, as in Mesa.
-                let corner = [0, 1].map(|k| (position[k] + 0.0001 - origin[k]).floor() as i32);
-                let visible = self.scissored_window();
-                let move_by = |r: &Rect| Rect {
-                    min: [r.min[0].saturating_add(corner[0]), r.min[1].saturating_add(corner[1])],
-                    max: [r.max[0].saturating_add(corner[0]), r.max[1].saturating_add(corner[1])],
-                };
-                let rects: Vec<Rect> = set.iter().map(|r| move_by(r).and(visible)).filter(|r| !r.is_empty()).collect();
-                self.record_rectangles(&rects);
-            }
-            GL_RENDER => {}
-            _ => self.pixel_token(GL_BITMAP_TOKEN),
+        if !self.feedback_pixels(GL_BITMAP_TOKEN) && !set.is_empty() {
+            let position = self.state.current.raster.position;
+            // The lower left corner is floored; the small addend makes 9.99999 ten, as in Mesa.
+            let corner = [0, 1].map(|k| (position[k] + 0.0001 - origin[k]).floor() as i32);
+            let visible = self.scissored_window();
+            let move_by = |r: &Rect| Rect {
+                min: [r.min[0].saturating_add(corner[0]), r.min[1].saturating_add(corner[1])],
+                max: [r.max[0].saturating_add(corner[0]), r.max[1].saturating_add(corner[1])],
+            };
+            let rects: Vec<Rect> = set.iter().map(|r| move_by(r).and(visible)).filter(|r| !r.is_empty()).collect();
+            self.record_rectangles(&rects);
         }
         for k in 0..2 {
             self.state.current.raster.position[k] += advance[k];

@@ -26,8 +26,8 @@ impl Context {
         if !self.state.current.raster.valid {
             return;
         }
-        if self.render_mode != GL_RENDER {
-            return self.pixel_token(GL_COPY_PIXEL_TOKEN);
+        if self.feedback_pixels(GL_COPY_PIXEL_TOKEN) {
+            return;
         }
         self.flush_batch();
         let Some(window) = self.window.as_mut() else { return };

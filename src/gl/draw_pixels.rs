@@ -30,8 +30,8 @@ impl Context {
         if !self.state.current.raster.valid {
             return;
         }
-        if self.render_mode != GL_RENDER {
-            return self.pixel_token(GL_DRAW_PIXEL_TOKEN);
+        if self.feedback_pixels(GL_DRAW_PIXEL_TOKEN) {
+            return;
         }
         let Some(image) = image else { return };
         let image = Arc::try_unwrap(image).unwrap_or_else(|shared| (*shared).clone());
@@ -85,6 +85,7 @@ impl Context {
         // Nothing happens on the way: the colours go straight into the window.
         let mask = self.color_write_mask();
         self.flush_batch();
+        self.window_changed = true;
         let Some(window) = self.window.as_mut().filter(|_| mask != 0) else { return };
         let pixels = window.pixels_mut();
         let width = placed.rect.width();
@@ -124,6 +125,7 @@ impl Context {
             return;
         }
         self.flush_batch();
+        self.window_changed = true;
         let Some(window) = self.window.as_mut() else { return };
         let pixels = window.pixels_mut();
         let max = depth_max(pixels.format.depth);
@@ -141,6 +143,7 @@ impl Context {
         let indices = placed.resample(&indices, size[0]);
         let mask = (self.state.stencil.sides[0].write_mask & 0xff) << 24;
         self.flush_batch();
+        self.window_changed = true;
         let transfer = &self.state.pixel;
         let Some(window) = self.window.as_mut() else { return };
         let pixels = window.pixels_mut();

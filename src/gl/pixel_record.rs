@@ -1,7 +1,6 @@
 //! Fragments of pixel rectangles and bitmaps, recorded as rectangles in window space.
 
 use super::Context;
-use super::enums::*;
 use super::framebuffer::Rect;
 use super::pixel_format::Groups;
 use super::pixel_rectangle::Placed;
@@ -15,7 +14,4 @@ impl Context {
 
     /// Records fragments of the raster colour, each with its depth.
     pub(crate) fn record_depths(&mut self, _placed: &Placed, _depths: &[f64]) {}
-
-    /// room: state replaces this
-    pub(crate) fn pixel_token(&mut self, _token: GLenum) {}
 }
