@@ -98,16 +98,19 @@ pub fn gl(registry: &Registry) -> String {
 /// Text of glext.h.
 pub fn glext(registry: &Registry) -> String {
     let mut text = format!(
-        "#ifndef __gl_glext_h_\n#define __gl_glext_h_ 1\n{LICENSE}{PLATFORM}\n#include <stddef.h>\n\n\
+        "#ifndef __gl_glext_h_\n#define __gl_glext_h_ 1\n{LICENSE}{PLATFORM}\n#include <stddef.h>\n#ifndef __gl_h_\n#include <GL/gl.h>\n#endif\n\n\
          #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n#define GL_GLEXT_VERSION 20190228\n\n\
          typedef char GLchar;\ntypedef char GLcharARB;\ntypedef unsigned int GLhandleARB;\ntypedef unsigned short GLhalfARB;\n\
          typedef unsigned short GLhalf;\ntypedef ptrdiff_t GLintptr;\ntypedef ptrdiff_t GLsizeiptr;\ntypedef ptrdiff_t GLintptrARB;\n\
          typedef ptrdiff_t GLsizeiptrARB;\n"
     );
+    // Some commands belong to several groups; C allows a typedef once.
+    let mut seen = BTreeSet::new();
     for group in registry.groups.iter().skip(2) {
         text += &format!("\n#ifndef {0}\n#define {0} 1\n", group.name);
         text += &enum_lines(registry, group);
-        let commands: Vec<&Command> = group.commands.iter().filter_map(|name| registry.commands.get(name)).collect();
+        let commands: Vec<&Command> =
+            group.commands.iter().filter(|name| seen.insert(name.as_str())).filter_map(|name| registry.commands.get(name)).collect();
         for command in &commands {
             text += &format!("typedef {} (APIENTRYP PFN{}PROC) ({});\n", command.result, command.name.to_uppercase(), c_params(command));
         }

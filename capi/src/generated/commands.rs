@@ -1410,7 +1410,7 @@ pub unsafe extern "C" fn glIndexubv(c: *const u8) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glInitNames() {
-    enter("glInitNames", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glInitNames", &SAID) })
+    enter("glInitNames", |cx| cx.init_names())
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glInterleavedArrays(format: u32, stride: i32, pointer: *const c_void) {
@@ -1542,7 +1542,7 @@ pub unsafe extern "C" fn glLoadMatrixf(m: *const f32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLoadName(name: u32) {
-    enter("glLoadName", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLoadName", &SAID) })
+    enter("glLoadName", |cx| cx.load_name(name))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLoadTransposeMatrixd(m: *const f64) {
@@ -1986,7 +1986,7 @@ pub unsafe extern "C" fn glOrtho(left: f64, right: f64, bottom: f64, top: f64, z
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPassThrough(token: f32) {
-    enter("glPassThrough", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPassThrough", &SAID) })
+    enter("glPassThrough", |cx| cx.pass_through(token))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPixelMapfv(map: u32, mapsize: i32, values: *const f32) {
@@ -2086,7 +2086,7 @@ pub unsafe extern "C" fn glPopMatrix() {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPopName() {
-    enter("glPopName", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPopName", &SAID) })
+    enter("glPopName", |cx| cx.pop_name())
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPrioritizeTextures(n: i32, textures: *const u32, priorities: *const f32) {
@@ -2154,103 +2154,103 @@ pub unsafe extern "C" fn glPushMatrix() {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPushName(name: u32) {
-    enter("glPushName", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPushName", &SAID) })
+    enter("glPushName", |cx| cx.push_name(name))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos2d(x: f64, y: f64) {
-    enter("glRasterPos2d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos2d", &SAID) })
+    enter("glRasterPos2d", |cx| cx.raster_pos(x as f32, y as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos2dv(v: *const f64) {
-    enter("glRasterPos2dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos2dv", &SAID) })
+    enter("glRasterPos2dv", |cx| { let Some(v) = (unsafe { read::<f64, 2>(cx, "glRasterPos2dv", v) }) else { return }; cx.raster_pos(v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos2f(x: f32, y: f32) {
-    enter("glRasterPos2f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos2f", &SAID) })
+    enter("glRasterPos2f", |cx| cx.raster_pos(x, y, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos2fv(v: *const f32) {
-    enter("glRasterPos2fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos2fv", &SAID) })
+    enter("glRasterPos2fv", |cx| { let Some(v) = (unsafe { read::<f32, 2>(cx, "glRasterPos2fv", v) }) else { return }; cx.raster_pos(v[0], v[1], 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos2i(x: i32, y: i32) {
-    enter("glRasterPos2i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos2i", &SAID) })
+    enter("glRasterPos2i", |cx| cx.raster_pos(x as f32, y as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos2iv(v: *const i32) {
-    enter("glRasterPos2iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos2iv", &SAID) })
+    enter("glRasterPos2iv", |cx| { let Some(v) = (unsafe { read::<i32, 2>(cx, "glRasterPos2iv", v) }) else { return }; cx.raster_pos(v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos2s(x: i16, y: i16) {
-    enter("glRasterPos2s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos2s", &SAID) })
+    enter("glRasterPos2s", |cx| cx.raster_pos(x as f32, y as f32, 0.0, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos2sv(v: *const i16) {
-    enter("glRasterPos2sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos2sv", &SAID) })
+    enter("glRasterPos2sv", |cx| { let Some(v) = (unsafe { read::<i16, 2>(cx, "glRasterPos2sv", v) }) else { return }; cx.raster_pos(v[0] as f32, v[1] as f32, 0.0, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos3d(x: f64, y: f64, z: f64) {
-    enter("glRasterPos3d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos3d", &SAID) })
+    enter("glRasterPos3d", |cx| cx.raster_pos(x as f32, y as f32, z as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos3dv(v: *const f64) {
-    enter("glRasterPos3dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos3dv", &SAID) })
+    enter("glRasterPos3dv", |cx| { let Some(v) = (unsafe { read::<f64, 3>(cx, "glRasterPos3dv", v) }) else { return }; cx.raster_pos(v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos3f(x: f32, y: f32, z: f32) {
-    enter("glRasterPos3f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos3f", &SAID) })
+    enter("glRasterPos3f", |cx| cx.raster_pos(x, y, z, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos3fv(v: *const f32) {
-    enter("glRasterPos3fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos3fv", &SAID) })
+    enter("glRasterPos3fv", |cx| { let Some(v) = (unsafe { read::<f32, 3>(cx, "glRasterPos3fv", v) }) else { return }; cx.raster_pos(v[0], v[1], v[2], 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos3i(x: i32, y: i32, z: i32) {
-    enter("glRasterPos3i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos3i", &SAID) })
+    enter("glRasterPos3i", |cx| cx.raster_pos(x as f32, y as f32, z as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos3iv(v: *const i32) {
-    enter("glRasterPos3iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos3iv", &SAID) })
+    enter("glRasterPos3iv", |cx| { let Some(v) = (unsafe { read::<i32, 3>(cx, "glRasterPos3iv", v) }) else { return }; cx.raster_pos(v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos3s(x: i16, y: i16, z: i16) {
-    enter("glRasterPos3s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos3s", &SAID) })
+    enter("glRasterPos3s", |cx| cx.raster_pos(x as f32, y as f32, z as f32, 1.0))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos3sv(v: *const i16) {
-    enter("glRasterPos3sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos3sv", &SAID) })
+    enter("glRasterPos3sv", |cx| { let Some(v) = (unsafe { read::<i16, 3>(cx, "glRasterPos3sv", v) }) else { return }; cx.raster_pos(v[0] as f32, v[1] as f32, v[2] as f32, 1.0) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos4d(x: f64, y: f64, z: f64, w: f64) {
-    enter("glRasterPos4d", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos4d", &SAID) })
+    enter("glRasterPos4d", |cx| cx.raster_pos(x as f32, y as f32, z as f32, w as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos4dv(v: *const f64) {
-    enter("glRasterPos4dv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos4dv", &SAID) })
+    enter("glRasterPos4dv", |cx| { let Some(v) = (unsafe { read::<f64, 4>(cx, "glRasterPos4dv", v) }) else { return }; cx.raster_pos(v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos4f(x: f32, y: f32, z: f32, w: f32) {
-    enter("glRasterPos4f", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos4f", &SAID) })
+    enter("glRasterPos4f", |cx| cx.raster_pos(x, y, z, w))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos4fv(v: *const f32) {
-    enter("glRasterPos4fv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos4fv", &SAID) })
+    enter("glRasterPos4fv", |cx| { let Some(v) = (unsafe { read::<f32, 4>(cx, "glRasterPos4fv", v) }) else { return }; cx.raster_pos(v[0], v[1], v[2], v[3]) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos4i(x: i32, y: i32, z: i32, w: i32) {
-    enter("glRasterPos4i", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos4i", &SAID) })
+    enter("glRasterPos4i", |cx| cx.raster_pos(x as f32, y as f32, z as f32, w as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos4iv(v: *const i32) {
-    enter("glRasterPos4iv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos4iv", &SAID) })
+    enter("glRasterPos4iv", |cx| { let Some(v) = (unsafe { read::<i32, 4>(cx, "glRasterPos4iv", v) }) else { return }; cx.raster_pos(v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos4s(x: i16, y: i16, z: i16, w: i16) {
-    enter("glRasterPos4s", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos4s", &SAID) })
+    enter("glRasterPos4s", |cx| cx.raster_pos(x as f32, y as f32, z as f32, w as f32))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRasterPos4sv(v: *const i16) {
-    enter("glRasterPos4sv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRasterPos4sv", &SAID) })
+    enter("glRasterPos4sv", |cx| { let Some(v) = (unsafe { read::<i16, 4>(cx, "glRasterPos4sv", v) }) else { return }; cx.raster_pos(v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glReadBuffer(src: u32) {
