@@ -494,7 +494,7 @@ pub unsafe extern "C" fn glCopyConvolutionFilter2D(target: u32, internalformat: 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCopyPixels(x: i32, y: i32, width: i32, height: i32, type_: u32) {
-    enter("glCopyPixels", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCopyPixels", &SAID) })
+    enter("glCopyPixels", |cx| cx.copy_pixels(x, y, width, height, type_))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCopyTexImage1D(target: u32, level: i32, internalformat: u32, x: i32, y: i32, width: i32, border: i32) {
