@@ -13,7 +13,7 @@ use crate::raster::fine::{Plan, Scene, Work, Worker, run_bin};
 use crate::raster::setup::{Chunk, SetupInput};
 use crate::raster::simd::Level;
 use crate::raster::store::Store;
-use crate::raster::vertex::{BLOCK, ScreenVertex, VertexWorker};
+use crate::raster::vertex::{BLOCK, ScreenVertex, VertexWorker, place};
 
 /// Primitives in a run.
 const CHUNK: u32 = 2048;
@@ -71,13 +71,7 @@ impl Device for CpuDevice {
     }
 
     fn surface(&self, width: u32, height: u32, format: SurfaceFormat) -> Box<dyn Surface> {
-        Box::new(CpuSurface {
-            shared: self.shared.clone(),
-            store: Store::new(width, height, format),
-            pixels: Pixels::new(width, height, format),
-            newer: Newer::Same,
-            scratch: Scratch::default(),
-        })
+        Box::new(CpuSurface::new(self, width, height, format))
     }
 }
 
@@ -108,12 +102,49 @@ pub struct CpuSurface {
     scratch: Scratch,
 }
 
-impl Surface for CpuSurface {
-    fn execute(&mut self, batch: Batch) {
+impl CpuSurface {
+    /// A surface of a device.
+    pub fn new(device: &CpuDevice, width: u32, height: u32, format: SurfaceFormat) -> CpuSurface {
+        CpuSurface {
+            shared: device.shared.clone(),
+            store: Store::new(width, height, format),
+            pixels: Pixels::new(width, height, format),
+            newer: Newer::Same,
+            scratch: Scratch::default(),
+        }
+    }
+
+    /// Runs a batch whose vertices are shaded already: the stages after the vertex stage.
+    pub fn execute_shaded(&mut self, batch: &Batch, shaded: Vec<[f32; 4]>) {
+        let mut bases = Vec::new();
+        self.scratch.screen.clear();
+        for draw in &batch.draws {
+            let record = &draw.record;
+            let state = &batch.raster_states[record.raster_state as usize];
+            bases.push(self.scratch.screen.len() as u32);
+            for v in 0..record.vertex_count {
+                let at = (record.shaded_base + v * record.shaded_stride) as usize;
+                self.scratch.screen.push(place(&shaded[at..at + record.shaded_stride as usize], record, state));
+            }
+        }
+        self.scratch.shaded = shaded;
+        self.begin();
+        let pool = self.shared.pool();
+        draw(batch, &mut self.store, &mut self.scratch, &bases, self.shared.level, pool);
+    }
+
+    /// The store is about to change.
+    fn begin(&mut self) {
         if self.newer == Newer::Pixels {
             self.store.write(&self.pixels);
         }
         self.newer = Newer::Store;
+    }
+}
+
+impl Surface for CpuSurface {
+    fn execute(&mut self, batch: Batch) {
+        self.begin();
         let bin_pixels = self.store.size[0] as u64 * self.store.size[1] as u64;
         let work = batch.shaded_vec4 as u64 + batch.primitives.len() as u64 + bin_pixels / 64;
         let pool = if work > WORTH_SHARING { self.shared.pool() } else { None };

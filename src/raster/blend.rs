@@ -35,11 +35,12 @@ pub fn quantize4<S: Simd>(c: [S::F; 4]) -> Pairs<S::I> {
     (S::or(r, S::shl::<16>(b)), S::or(g, S::shl::<16>(a)))
 }
 
-/// a * b / 255, rounded, of 16-bit halves up to 255.
+/// a * b / 255 of 16-bit halves up to 255, as llvmpipe rounds it: (t + (t >> 8) + 128) >> 8, which is one less
+/// than the nearest in a few cases.
 #[inline(always)]
 fn mul255<S: Simd>(a: S::I, b: S::I) -> S::I {
-    let t = S::add16(S::mul16(a, b), S::i(0x0080_0080));
-    S::shr16::<8>(S::add16(t, S::shr16::<8>(t)))
+    let t = S::mul16(a, b);
+    S::shr16::<8>(S::add16(S::add16(t, S::shr16::<8>(t)), S::i(0x0080_0080)))
 }
 
 #[inline(always)]
