@@ -110,7 +110,7 @@ pub trait Device: Send + Sync {
 /// The process's device: `TEPUI_DEVICE` is `auto` (the default), `cpu` or `gpu`. Chosen once, then shared by all contexts.
 pub fn choose() -> std::sync::Arc<dyn Device> {
     static CHOSEN: std::sync::OnceLock<std::sync::Arc<dyn Device>> = std::sync::OnceLock::new();
-    CHOSEN.get_or_init(|| std::sync::Arc::new(null::NullDevice)).clone()
+    CHOSEN.get_or_init(|| std::sync::Arc::new(cpu::CpuDevice::new())).clone()
 }
 
 /// A device that draws nothing, until the executors are there.

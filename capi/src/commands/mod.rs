@@ -14,4 +14,5 @@ pub mod matrices;
 mod memory;
 pub mod parameters;
 pub mod pixels;
+pub mod selection;
 pub mod textures;

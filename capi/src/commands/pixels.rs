@@ -64,3 +64,26 @@ pixel_maps! {
     glPixelMapuiv glGetPixelMapuiv: u32 => pixel_mapuiv get_pixel_mapuiv;
     glPixelMapusv glGetPixelMapusv: u16 => pixel_mapusv get_pixel_mapusv;
 }
+
+/// glDrawPixels
+pub unsafe fn glDrawPixels(cx: &mut Context, width: i32, height: i32, format: GLenum, ty: GLenum, pixels: *const c_void) {
+    let length = cx.unpack_bytes(width, height, 1, format, ty);
+    // SAFETY: the contract of this folder.
+    cx.draw_pixels(width, height, format, ty, unsafe { bytes(pixels, length) });
+}
+
+/// glBitmap
+pub unsafe fn glBitmap(
+    cx: &mut Context,
+    width: i32,
+    height: i32,
+    x_origin: f32,
+    y_origin: f32,
+    x_move: f32,
+    y_move: f32,
+    bitmap: *const u8,
+) {
+    let length = cx.unpack_bytes(width, height, 1, GL_COLOR_INDEX, GL_BITMAP);
+    // SAFETY: the contract of this folder.
+    cx.bitmap(width, height, x_origin, y_origin, x_move, y_move, unsafe { bytes(bitmap, length) });
+}

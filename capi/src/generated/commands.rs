@@ -114,7 +114,7 @@ pub unsafe extern "C" fn glBindTextureEXT(target: u32, texture: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glBitmap(width: i32, height: i32, xorig: f32, yorig: f32, xmove: f32, ymove: f32, bitmap: *const u8) {
-    enter("glBitmap", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glBitmap", &SAID) })
+    enter("glBitmap", |cx| unsafe { commands::pixels::glBitmap(cx, width, height, xorig, yorig, xmove, ymove, bitmap) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glBlendColor(red: f32, green: f32, blue: f32, alpha: f32) {
@@ -678,7 +678,7 @@ pub unsafe extern "C" fn glDrawElements(mode: u32, count: i32, type_: u32, indic
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawPixels(width: i32, height: i32, format: u32, type_: u32, pixels: *const c_void) {
-    enter("glDrawPixels", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDrawPixels", &SAID) })
+    enter("glDrawPixels", |cx| unsafe { commands::pixels::glDrawPixels(cx, width, height, format, type_, pixels) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawRangeElements(mode: u32, start: u32, end: u32, count: i32, type_: u32, indices: *const c_void) {
@@ -786,7 +786,7 @@ pub unsafe extern "C" fn glEvalPoint2(i: i32, j: i32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFeedbackBuffer(size: i32, type_: u32, buffer: *mut f32) {
-    enter("glFeedbackBuffer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFeedbackBuffer", &SAID) })
+    enter("glFeedbackBuffer", |cx| unsafe { commands::selection::glFeedbackBuffer(cx, size, type_, buffer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFinish() {
@@ -2294,7 +2294,7 @@ pub unsafe extern "C" fn glRectsv(v1: *const i16, v2: *const i16) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRenderMode(mode: u32) -> i32 {
-    enter("glRenderMode", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRenderMode", &SAID) })
+    enter("glRenderMode", |cx| unsafe { commands::selection::glRenderMode(cx, mode) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRenderbufferStorage(target: u32, internalformat: u32, width: i32, height: i32) {
@@ -2486,7 +2486,7 @@ pub unsafe extern "C" fn glSecondaryColorPointerEXT(size: i32, type_: u32, strid
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSelectBuffer(size: i32, buffer: *mut u32) {
-    enter("glSelectBuffer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSelectBuffer", &SAID) })
+    enter("glSelectBuffer", |cx| unsafe { commands::selection::glSelectBuffer(cx, size, buffer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSeparableFilter2D(target: u32, internalformat: u32, width: i32, height: i32, format: u32, type_: u32, row: *const c_void, column: *const c_void) {
