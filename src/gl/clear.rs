@@ -17,16 +17,7 @@ impl Context {
         if self.render_mode != GL_RENDER || self.window.is_none() {
             return;
         }
-        let [width, height] = self.window_size.map(|size| size as i32);
-        let scissor = &self.state.scissor;
-        let (mut min, mut max) = ([0, 0], [width, height]);
-        if scissor.test {
-            // Rows of a window surface run downwards.
-            let (x0, x1) = (scissor.x, scissor.x.saturating_add(scissor.width));
-            let (y0, y1) = (scissor.y, scissor.y.saturating_add(scissor.height));
-            min = [x0.clamp(0, width), height - y1.clamp(0, height)];
-            max = [x1.clamp(0, width), height - y0.clamp(0, height)];
-        }
+        let (min, max) = self.drawable_rectangle();
         if min[0] >= max[0] || min[1] >= max[1] {
             return;
         }

@@ -21,6 +21,7 @@ pub mod clear;
 pub mod clip_plane;
 pub mod copy_pixels;
 pub mod copy_texture;
+pub(crate) mod derived_states;
 pub mod draw_pixels;
 pub mod draws;
 pub mod enable;
