@@ -14,7 +14,13 @@
 //! struct FragmentOut { color: vec4<f32>, depth: f32, keep: bool }   // depth only if it writes depth, keep only if it discards
 //! fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut
 //! ```
+//! [`Program::wgsl`] is the text without the first two lines (whoever splices it provides them) and defines no other name at
+//! module scope than those six.
 
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+pub mod fixed;
 pub mod lanes;
 
 /// A vec4 that a vertex program hands to the later stages.
@@ -91,6 +97,8 @@ pub struct Program {
     pub wgsl: String,
     /// The same, parsed and validated.
     pub module: naga::Module,
+    /// What the validator found out about it.
+    pub info: naga::valid::ModuleInfo,
     /// Vertex: the attributes read, as a mask of slots.
     pub attributes: u32,
     /// Vertex: what follows the position in a shaded vertex, in this order.
@@ -109,4 +117,66 @@ pub struct Program {
     pub uniform_vec4: u32,
     /// Fragment: what may be done instead of running it.
     pub shortcut: Shortcut,
+    lanes: OnceLock<lanes::LaneProgram>,
+}
+
+/// What stands before a program's text when naga reads it.
+pub const PRELUDE: &str = "@group(0) @binding(0) var<storage, read> uniforms: array<vec4<f32>>;
+fn texture_sample(slot: u32, coord: vec4<f32>, ddx: vec4<f32>, ddy: vec4<f32>) -> vec4<f32> { return coord; }
+";
+
+/// Everything of a program but what is computed from its text.
+#[derive(Clone, Debug, Default)]
+#[allow(missing_docs)]
+pub struct Interface {
+    pub attributes: u32,
+    pub outputs: Vec<Output>,
+    pub inputs: Vec<Input>,
+    pub varyings: Vec<Varying>,
+    pub texture_slots: u32,
+    pub writes_depth: bool,
+    pub discards: bool,
+    pub uniform_vec4: u32,
+    pub shortcut: Shortcut,
+}
+
+impl Program {
+    /// Parses and validates a text.
+    pub fn new(stage: Stage, wgsl: String, interface: Interface) -> Result<Program, String> {
+        static NEXT: AtomicU64 = AtomicU64::new(1);
+        let source = format!("{PRELUDE}{wgsl}");
+        let module = naga::front::wgsl::parse_str(&source).map_err(|e| e.emit_to_string(&source))?;
+        let flags = naga::valid::ValidationFlags::all();
+        let info = naga::valid::Validator::new(flags, naga::valid::Capabilities::empty())
+            .validate(&module)
+            .map_err(|e| e.emit_to_string(&source))?;
+        let Interface { attributes, outputs, inputs, varyings, texture_slots, writes_depth, discards, uniform_vec4, shortcut } = interface;
+        Ok(Program {
+            id: NEXT.fetch_add(1, Ordering::Relaxed),
+            stage,
+            wgsl,
+            module,
+            info,
+            attributes,
+            outputs,
+            inputs,
+            varyings,
+            texture_slots,
+            writes_depth,
+            discards,
+            uniform_vec4,
+            shortcut,
+            lanes: OnceLock::new(),
+        })
+    }
+
+    /// The program for the CPU, compiled when it is first wanted.
+    pub fn lanes(&self) -> &lanes::LaneProgram {
+        self.lanes.get_or_init(|| {
+            lanes::compile(self).unwrap_or_else(|e| {
+                log::error!(target: "tepui::program", "a program that the CPU cannot run: {e:?}");
+                lanes::LaneProgram::default()
+            })
+        })
+    }
 }

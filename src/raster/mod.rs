@@ -15,5 +15,6 @@ mod point_line;
 pub mod setup;
 pub mod simd;
 pub mod store;
+pub mod texture;
 pub mod tile;
 pub mod vertex;

@@ -1,8 +1,19 @@
 //! The CPU executor of programs: a naga module becomes a lane program, a list of operations over registers of up to
 //! 64 lanes, so that the cost of dispatching an operation is spread over a block of vertices or fragments.
 
+mod compile;
+mod expression;
+mod graph;
+mod machine;
+pub mod math;
+mod op;
+mod schedule;
+
 use super::Program;
 use crate::draw::texture::TextureBinding;
+pub use compile::Unsupported;
+pub use machine::{Machine, Simd, avx2_available, simd};
+pub use schedule::LaneProgram;
 
 /// Lanes in a group: one AVX2 register of f32.
 pub const LANES: usize = 8;
@@ -37,33 +48,13 @@ pub struct FragmentResults {
     pub keep: [u8; GROUPS],
 }
 
-/// Registers, kept from run to run. One a thread.
-#[derive(Default)]
-pub struct Machine {}
-
-impl Machine {
-    /// Runs a vertex program over `groups` groups. `inputs[i]` is attribute slot `i` (only those that the program
-    /// reads need to be filled); `outputs[0]` becomes the clip position, `outputs[1 + k]` is `program.outputs[k]`.
-    pub fn run_vertex(
-        &mut self,
-        _program: &Program,
-        _env: &Environment,
-        _inputs: &[Column4; 16],
-        _outputs: &mut [Column4],
-        _groups: usize,
-    ) {
-        unimplemented!("the lane executor")
+impl Default for FragmentResults {
+    fn default() -> FragmentResults {
+        FragmentResults { color: ZERO4, depth: [[0.0; LANES]; GROUPS], keep: [0; GROUPS] }
     }
+}
 
-    /// Runs a fragment program over `groups` groups. `inputs[k]` is `program.inputs[k]`.
-    pub fn run_fragment(
-        &mut self,
-        _program: &Program,
-        _env: &Environment,
-        _inputs: &[Column4],
-        _results: &mut FragmentResults,
-        _groups: usize,
-    ) {
-        unimplemented!("the lane executor")
-    }
+/// Compiles a program's module for the [`Machine`].
+pub fn compile(program: &Program) -> Result<LaneProgram, Unsupported> {
+    Ok(schedule::schedule(&compile::compile(program)?))
 }

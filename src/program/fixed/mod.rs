@@ -1,0 +1,1 @@
+//! Fixed function as a generator of programs.
