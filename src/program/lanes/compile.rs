@@ -87,15 +87,8 @@ pub(super) fn compile(program: &Program) -> Result<Compiled> {
     let Some((handle, function)) = module.functions.iter().find(|(_, f)| f.name.as_deref() == Some(name)) else {
         return unsupported(format!("no function {name}"));
     };
-    let mut compiler = Compiler {
-        module,
-        info: &program.info,
-        graph: Graph::default(),
-        vars: Vec::new(),
-        active: 0,
-        killed: 1,
-        globals: HashMap::new(),
-    };
+    let mut compiler =
+        Compiler { module, info: &program.info, graph: Graph::default(), vars: Vec::new(), active: 0, killed: 1, globals: HashMap::new() };
     let (yes, no) = (compiler.graph.boolean(true), compiler.graph.boolean(false));
     compiler.vars.extend([yes, no]);
     for (global, variable) in module.global_variables.iter().filter(|(_, v)| v.space == AddressSpace::Private) {
@@ -199,7 +192,9 @@ impl<'m> Compiler<'m> {
             }
             TypeInner::Scalar(s) => out.push(kind(s)),
             TypeInner::Vector { size, scalar } => out.extend(std::iter::repeat_n(kind(scalar), *size as usize)),
-            TypeInner::Matrix { columns, rows, scalar } => out.extend(std::iter::repeat_n(kind(scalar), *columns as usize * *rows as usize)),
+            TypeInner::Matrix { columns, rows, scalar } => {
+                out.extend(std::iter::repeat_n(kind(scalar), *columns as usize * *rows as usize))
+            }
             other => return unsupported(format!("a variable of type {other:?}")),
         }
         Ok(())
@@ -316,7 +311,9 @@ impl<'m> Compiler<'m> {
                 self.vars[self.active] = no;
             }
             Statement::Continue => {
-                let Some(slot) = frame.scopes.iter().rev().find_map(|s| s.continued) else { return unsupported("continue outside of a loop") };
+                let Some(slot) = frame.scopes.iter().rev().find_map(|s| s.continued) else {
+                    return unsupported("continue outside of a loop");
+                };
                 let (yes, no) = (self.graph.boolean(true), self.graph.boolean(false));
                 self.vars[slot] = yes;
                 self.vars[self.active] = no;
@@ -421,7 +418,13 @@ impl<'m> Compiler<'m> {
     }
 
     /// One round of a loop.
-    fn round(&mut self, frame: &mut Frame<'m>, body: &'m naga::Block, continuing: &'m naga::Block, break_if: Option<Handle<Expression>>) -> Result<()> {
+    fn round(
+        &mut self,
+        frame: &mut Frame<'m>,
+        body: &'m naga::Block,
+        continuing: &'m naga::Block,
+        break_if: Option<Handle<Expression>>,
+    ) -> Result<()> {
         let scope = frame.scopes.last().expect("the loop's scope is on the stack");
         let (broken, continued) = (scope.broken, scope.continued.expect("a loop has one"));
         self.vars[continued] = self.graph.boolean(false);
@@ -445,7 +448,13 @@ impl<'m> Compiler<'m> {
         Ok(())
     }
 
-    fn repeat(&mut self, frame: &mut Frame<'m>, body: &'m naga::Block, continuing: &'m naga::Block, break_if: Option<Handle<Expression>>) -> Result<()> {
+    fn repeat(
+        &mut self,
+        frame: &mut Frame<'m>,
+        body: &'m naga::Block,
+        continuing: &'m naga::Block,
+        break_if: Option<Handle<Expression>>,
+    ) -> Result<()> {
         let no = self.graph.boolean(false);
         let (broken, continued) = (self.vars.len(), self.vars.len() + 1);
         self.vars.extend([no, no]);
@@ -459,7 +468,13 @@ impl<'m> Compiler<'m> {
     }
 
     /// Tries to run the loop at compile time: works while it is known after each round that all lanes agree.
-    fn unroll(&mut self, frame: &mut Frame<'m>, body: &'m naga::Block, continuing: &'m naga::Block, break_if: Option<Handle<Expression>>) -> Result<bool> {
+    fn unroll(
+        &mut self,
+        frame: &mut Frame<'m>,
+        body: &'m naga::Block,
+        continuing: &'m naga::Block,
+        break_if: Option<Handle<Expression>>,
+    ) -> Result<bool> {
         let mark = self.graph.mark();
         let vars = self.vars.clone();
         let nodes = self.graph.nodes.len();
@@ -672,4 +687,5 @@ impl<'m> Compiler<'m> {
             },
             other => unsupported(format!("global expression {other:?}")),
         }
-    }}
+    }
+}

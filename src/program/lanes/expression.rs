@@ -141,7 +141,15 @@ impl<'m> Compiler<'m> {
         self.access_flat(value, offset, stride, count, dynamic, index)
     }
 
-    fn access_flat(&mut self, value: Value, offset: usize, stride: usize, count: usize, dynamic: Option<Id>, index: usize) -> Result<Value> {
+    fn access_flat(
+        &mut self,
+        value: Value,
+        offset: usize,
+        stride: usize,
+        count: usize,
+        dynamic: Option<Id>,
+        index: usize,
+    ) -> Result<Value> {
         Ok(match value {
             Value::Data(data) => match dynamic {
                 None => match data.get(offset..offset + stride) {

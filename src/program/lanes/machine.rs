@@ -121,8 +121,12 @@ impl Machine {
             self.registers[register as usize] = [f32::from_bits(env.base); LANES];
         }
         // Inputs are never written: no instruction's destination lies in their space.
-        let bases =
-            [self.registers.as_mut_ptr(), inputs.as_ptr().cast::<Group>().cast_mut(), outputs.as_mut_ptr().cast::<Group>(), depth.as_mut_ptr()];
+        let bases = [
+            self.registers.as_mut_ptr(),
+            inputs.as_ptr().cast::<Group>().cast_mut(),
+            outputs.as_mut_ptr().cast::<Group>(),
+            depth.as_mut_ptr(),
+        ];
         let mut reach = Reach { program: code, textures: env.textures, uniforms: env.uniforms, keep, level: self.level };
         // SAFETY: the scheduler gives every register operand a place below `registers`; input operands lie in the
         // columns that the program declares, output operands in its outputs (both lengths asserted above, columns hold

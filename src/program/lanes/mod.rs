@@ -8,6 +8,8 @@ mod machine;
 pub mod math;
 mod op;
 mod schedule;
+#[cfg(test)]
+mod tests;
 
 use super::Program;
 use crate::draw::texture::TextureBinding;

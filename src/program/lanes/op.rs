@@ -156,13 +156,11 @@ macro_rules! op_table {
             ternary {
                 Fma(x, y, z) = x.mul_add(y, z),
                 Select(c, x, y) = if is_true(c) { x } else { y },
-                MulAdd(x, y, z) = x * y + z,
             }
-            special { Const, Uniform, Base, Input, Gather, Sample, Texel, CellRead, CellWrite, LoopBegin, LoopEnd, Keep }
+            special { Const, Uniform, Base, Input, Gather, Sample, Texel, CellRead, LoopEnd, Keep }
         }
     };
 }
-pub(super) use op_table;
 
 macro_rules! define_op {
     (unary { $($u:ident ($ux:ident) = $ue:expr,)* }
