@@ -112,31 +112,3 @@ pub fn choose() -> std::sync::Arc<dyn Device> {
     static CHOSEN: std::sync::OnceLock<std::sync::Arc<dyn Device>> = std::sync::OnceLock::new();
     CHOSEN.get_or_init(|| std::sync::Arc::new(cpu::CpuDevice::new())).clone()
 }
-
-/// A device that draws nothing, until the executors are there.
-mod null {
-    // room: raster and gpu replace this
-    use super::*;
-
-    pub struct NullDevice;
-    struct NullSurface(Pixels);
-
-    impl Device for NullDevice {
-        fn name(&self) -> String {
-            "nothing".into()
-        }
-        fn surface(&self, width: u32, height: u32, format: SurfaceFormat) -> Box<dyn Surface> {
-            Box::new(NullSurface(Pixels::new(width, height, format)))
-        }
-    }
-
-    impl Surface for NullSurface {
-        fn execute(&mut self, _batch: Batch) {}
-        fn pixels(&mut self) -> &Pixels {
-            &self.0
-        }
-        fn pixels_mut(&mut self) -> &mut Pixels {
-            &mut self.0
-        }
-    }
-}

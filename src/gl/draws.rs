@@ -71,10 +71,4 @@ impl Context {
         }
         self.derive_state(topology);
     }
-
-    /// room: program replaces this
-    fn derive_state(&mut self, topology: u32) {
-        self.derived_topology = topology;
-        self.dirty = 0;
-    }
 }

@@ -34,13 +34,14 @@ enum Node {
 /// Everything between a Begin and its End.
 pub(crate) struct PackedRun {
     pub mode: PrimitiveType,
+    pub part: Part,
     pub mask: u32,
     pub data: Vec<[f32; 4]>,
     pub count: u32,
     pub edge_flags: Option<Vec<bool>>,
     /// Slots that were first set after some vertices: those take the value that is current when the list is called.
     pub leading: Vec<(usize, u32)>,
-    /// Vertices before the first edge flag command.
+    /// Vertices before the first edge flag command: those take the edge flag that is current when the list is called.
     pub leading_edges: u32,
     /// Values that are current afterwards, for the slots in `mask` but 0.
     pub finals: Vec<(usize, [f32; 4])>,
@@ -164,11 +165,23 @@ impl Context {
             Some(pair) => {
                 let Pair { mode, immediate, leading, leading_edges, edge } = pair;
                 let finals = immediate.finals();
+                let leading_edges = if edge.is_some() { leading_edges } else { immediate.run().count };
                 let run = immediate.run();
                 let (mask, count, edge_flags) = (run.mask, run.count, run.edge_flags.map(<[bool]>::to_vec));
                 let mut data = immediate.into_data();
                 data.shrink_to_fit();
-                let packed = PackedRun { mode, mask, data, count, edge_flags, leading, leading_edges, finals, final_edge: edge };
+                let packed = PackedRun {
+                    mode,
+                    part: Part::default(),
+                    mask,
+                    data,
+                    count,
+                    edge_flags,
+                    leading,
+                    leading_edges,
+                    finals,
+                    final_edge: edge,
+                };
                 builder.nodes.push(Node::Run(packed));
             }
             None => builder.nodes.push(Node::End),
@@ -309,7 +322,7 @@ impl Context {
         }
         let mut edge_flags = std::borrow::Cow::Borrowed(packed.edge_flags.as_deref().unwrap_or(&[]));
         if !current.edge_flag {
-            let leading = if packed.final_edge.is_some() { packed.leading_edges } else { packed.count };
+            let leading = packed.leading_edges;
             let flags = edge_flags.to_mut();
             flags.resize(packed.count as usize, true);
             flags[..leading as usize].fill(false);
@@ -317,7 +330,7 @@ impl Context {
         let run =
             Run { mask: packed.mask, data: &data, count: packed.count, edge_flags: (!edge_flags.is_empty()).then_some(&edge_flags[..]) };
         if packed.count > 0 {
-            self.submit_run(packed.mode, Part::default(), &run, true);
+            self.submit_run(packed.mode, packed.part, &run, true);
         }
         for &(slot, value) in &packed.finals {
             self.state.current.attributes[slot] = value;

@@ -12,6 +12,7 @@
 //! and one that is not allowed between Begin and End with `if self.inside_begin_end() { return; }` (which sets the error).
 
 pub mod accum;
+pub mod arrays;
 pub mod attrib_stack;
 pub mod begin_end;
 pub mod bitmap;
@@ -49,6 +50,7 @@ pub mod query_table;
 pub mod raster_position;
 pub mod read_pixels;
 pub mod selection;
+mod standin;
 pub mod state;
 pub mod strings;
 pub mod texenv;
@@ -93,6 +95,8 @@ pub struct Context {
     /// The batch under construction.
     pub recorder: Recorder,
     pub(crate) derived_topology: u32,
+    pub(crate) arrays: arrays::Arrays,
+    client_stack: Vec<arrays::SavedClient>,
     pub(crate) immediate: Immediate,
     pub(crate) lists: list::ListState,
     maps: evaluators::Maps,
@@ -191,6 +195,8 @@ impl Context {
             dirty: dirty::ALL,
             recorder: Recorder::new(),
             derived_topology: !0,
+            arrays: arrays::Arrays::default(),
+            client_stack: Vec::new(),
             immediate: Immediate::default(),
             lists: list::ListState::default(),
             maps: evaluators::Maps::default(),

@@ -1,0 +1,236 @@
+//! Drawing from vertex arrays: ArrayElement, DrawArrays, DrawElements and their kin (2.8).
+//!
+//! The elements that a draw uses are read once, straight into the batch. Indexed primitives refer to them where their indices lie
+//! close together; scattered indices are gathered.
+
+use super::fetch::{Elements, element, fetch};
+use super::{Array, EDGE_FLAG, INDEX};
+use crate::draw::assembly::{Assembly, Part, PrimitiveType, carry};
+use crate::draw::recorder::{Run, VertexLayout, slots};
+use crate::gl::Context;
+use crate::gl::enums::*;
+use crate::gl::list::PackedRun;
+use crate::raster::layout::ATTRIBUTES;
+
+/// Indices of a DrawElements call.
+#[derive(Clone, Copy)]
+pub enum Indices<'a> {
+    /// GL_UNSIGNED_BYTE
+    U8(&'a [u8]),
+    /// GL_UNSIGNED_SHORT
+    U16(&'a [u16]),
+    /// GL_UNSIGNED_INT
+    U32(&'a [u32]),
+}
+
+impl Indices<'_> {
+    fn widen(self) -> Vec<u32> {
+        match self {
+            Indices::U8(list) => list.iter().map(|&i| u32::from(i)).collect(),
+            Indices::U16(list) => list.iter().map(|&i| u32::from(i)).collect(),
+            Indices::U32(list) => list.to_vec(),
+        }
+    }
+}
+
+impl Context {
+    /// glArrayElement.
+    pub fn array_element(&mut self, index: i32) {
+        let Ok(index) = u32::try_from(index) else {
+            return self.set_error(GL_INVALID_VALUE, "glArrayElement: index");
+        };
+        let arrays = self.arrays.slots;
+        let live = |array: &Array| array.enabled && !array.pointer.is_null();
+        for (slot, array) in arrays.iter().enumerate().skip(1).filter(|(_, array)| live(array)) {
+            // SAFETY: the client promises that the element is there.
+            let value = unsafe { element(array, index) };
+            match slot {
+                EDGE_FLAG => self.edge_flag(value[0] != 0.0),
+                INDEX => self.index(value[0]),
+                _ => self.attribute(slot, value),
+            }
+        }
+        if live(&arrays[0]) {
+            // SAFETY: as above.
+            let [x, y, z, w] = unsafe { element(&arrays[0], index) };
+            self.vertex(x, y, z, w);
+        }
+    }
+
+    /// glDrawArrays.
+    pub fn draw_arrays(&mut self, mode: GLenum, first: i32, count: i32) {
+        if self.inside_begin_end() {
+            return;
+        }
+        let Some(mode) = PrimitiveType::from_gl(mode) else {
+            return self.set_error(GL_INVALID_ENUM, "glDrawArrays: mode");
+        };
+        let (Ok(first), Ok(count)) = (u32::try_from(first), u32::try_from(count)) else {
+            return self.set_error(GL_INVALID_VALUE, "glDrawArrays: first or count");
+        };
+        if self.arrays.attributes() & 1 == 0 || count == 0 {
+            return;
+        }
+        if count <= self.recorder.chunk() {
+            self.draw_elements_of(mode, Part::default(), Elements::Range { first, count }, None, false);
+        } else {
+            self.draw_in_chunks(mode, count, |k| first + k, false);
+        }
+    }
+
+    /// glDrawElements and glDrawRangeElements.
+    pub fn draw_elements(&mut self, mode: GLenum, indices: Indices) {
+        if self.inside_begin_end() {
+            return;
+        }
+        let Some(mode) = PrimitiveType::from_gl(mode) else {
+            return self.set_error(GL_INVALID_ENUM, "glDrawElements: mode");
+        };
+        if self.arrays.attributes() & 1 == 0 {
+            return;
+        }
+        let indices = indices.widen();
+        if indices.len() as u64 <= u64::from(self.recorder.chunk()) {
+            self.draw_indices(mode, Part::default(), &indices);
+        } else {
+            self.draw_in_chunks(mode, indices.len() as u32, |k| indices[k as usize], true);
+        }
+    }
+
+    /// A draw that is too long for one batch, in parts.
+    fn draw_in_chunks(&mut self, mode: PrimitiveType, count: u32, index: impl Fn(u32) -> u32, indexed: bool) {
+        let chunk = self.recorder.chunk();
+        let (mut run, mut next, mut continued) = (Vec::new(), 0, false);
+        while next < count {
+            let end = count.min(next + chunk);
+            run.extend((next..end).map(&index));
+            next = end;
+            let continues = next < count;
+            let (now, carried) = if continues { carry(mode, run.len() as u32) } else { (run.len() as u32, [None; 3]) };
+            let part = Part { continued, continues };
+            if indexed {
+                self.draw_indices(mode, part, &run[..now as usize]);
+            } else {
+                self.draw_elements_of(mode, part, Elements::List(&run[..now as usize]), None, false);
+            }
+            run = carried.into_iter().flatten().map(|i| run[i as usize]).collect();
+            continued = true;
+        }
+    }
+
+    fn draw_indices(&mut self, mode: PrimitiveType, part: Part, indices: &[u32]) {
+        let (Some(&least), Some(&greatest)) = (indices.iter().min(), indices.iter().max()) else { return };
+        let range = u64::from(greatest - least) + 1;
+        if range <= 2 * indices.len() as u64 {
+            let local: Vec<u32> = indices.iter().map(|&i| i - least).collect();
+            self.draw_elements_of(mode, part, Elements::Range { first: least, count: range as u32 }, Some(&local), true);
+            return;
+        }
+        // Scattered: each element that is used, once.
+        let mut used = indices.to_vec();
+        used.sort_unstable();
+        used.dedup();
+        let local: Vec<u32> = indices.iter().map(|i| used.binary_search(i).unwrap_or(0) as u32).collect();
+        self.draw_elements_of(mode, part, Elements::List(&used), Some(&local), true);
+    }
+
+    /// Draws elements of the arrays, in their order or as `indices` (into the elements) say.
+    fn draw_elements_of(&mut self, mode: PrimitiveType, part: Part, elements: Elements, indices: Option<&[u32]>, indexed: bool) {
+        if self.lists.builder.is_some() || self.render_mode != GL_RENDER {
+            return self.draw_gathered(mode, part, elements, indices, indexed);
+        }
+        if self.recorder.is_full() {
+            self.flush_batch();
+        }
+        self.validate(mode.topology());
+        let split = self.quad_split(indexed);
+        let edge_flags = self.array_edge_flags(elements);
+        let Some(program) = self.recorder.vertex_program() else { return };
+        let mask = self.arrays.attributes() & (program.attributes | 1);
+        let mut layout = VertexLayout { mask, size: [0; ATTRIBUTES] };
+        for slot in slots(mask) {
+            layout.size[slot] = self.arrays.slots[slot].size;
+        }
+        let Some((base, vertices)) = self.recorder.begin_vertices(layout, &self.state.current.attributes) else { return };
+        let stride: usize = slots(mask).map(|slot| usize::from(layout.size[slot])).sum();
+        let (start, count) = (vertices.len(), elements.count());
+        vertices.resize(start + stride * count as usize, 0.0);
+        let mut offset = 0;
+        for slot in slots(mask) {
+            // SAFETY: the client promises that the elements are there.
+            unsafe { fetch(&self.arrays.slots[slot], elements, &mut vertices[start..], offset, stride) };
+            offset += usize::from(layout.size[slot]);
+        }
+        self.recorder.finish_vertices(count);
+        let (out, draw) = self.recorder.primitives();
+        let assembly = Assembly { mode, part, split, draw };
+        match (indices, &edge_flags) {
+            (None, None) => assembly.run(count, |i| base + i, |_| true, out),
+            (Some(list), None) => assembly.run(list.len() as u32, |i| base + list[i as usize], |_| true, out),
+            (None, Some(flags)) => assembly.run(count, |i| base + i, |i| flags[i as usize], out),
+            (Some(list), Some(flags)) => {
+                assembly.run(list.len() as u32, |i| base + list[i as usize], |i| flags[list[i as usize] as usize], out);
+            }
+        }
+    }
+
+    /// Edge flags of elements, where they are not all true.
+    fn array_edge_flags(&self, elements: Elements) -> Option<Vec<bool>> {
+        let array = &self.arrays.slots[EDGE_FLAG];
+        if !array.enabled || array.pointer.is_null() {
+            return (!self.state.current.edge_flag).then(|| vec![false; elements.count() as usize]);
+        }
+        let mut values = vec![0.0; elements.count() as usize];
+        // SAFETY: the client promises that the elements are there.
+        unsafe { fetch(array, elements, &mut values, 0, 1) };
+        Some(values.into_iter().map(|value| value != 0.0).collect())
+    }
+
+    /// The slow way: the vertices as a run, for selection, feedback and display lists.
+    fn draw_gathered(&mut self, mode: PrimitiveType, part: Part, elements: Elements, indices: Option<&[u32]>, indexed: bool) {
+        let mask = self.arrays.attributes();
+        let stride = mask.count_ones() as usize;
+        let count = elements.count() as usize;
+        let mut data = vec![[0.0, 0.0, 0.0, 1.0]; count * stride];
+        for (rank, slot) in slots(mask).enumerate() {
+            // SAFETY: the client promises that the elements are there.
+            unsafe { fetch(&self.arrays.slots[slot], elements, data.as_flattened_mut(), rank * 4, stride * 4) };
+        }
+        let mut edge_flags = self.array_edge_flags(elements);
+        let mut count = count as u32;
+        if let Some(list) = indices {
+            data = list.iter().flat_map(|&i| data[i as usize * stride..][..stride].iter().copied()).collect();
+            edge_flags = edge_flags.map(|flags| list.iter().map(|&i| flags[i as usize]).collect());
+            count = list.len() as u32;
+        }
+        if self.lists.builder.is_some() {
+            let has_edges = self.arrays.slots[EDGE_FLAG].enabled;
+            let packed = PackedRun {
+                mode,
+                part,
+                mask,
+                count,
+                edge_flags: edge_flags.clone().filter(|_| has_edges),
+                leading: Vec::new(),
+                leading_edges: if has_edges { 0 } else { count },
+                finals: Vec::new(),
+                final_edge: None,
+                data: data.clone(),
+            };
+            let command = |cx: &mut Context| {
+                cx.submit_run(mode, part, &Run { mask, data: &data, count, edge_flags: edge_flags.as_deref() }, true);
+            };
+            return self.compile_run(packed, command);
+        }
+        self.submit_run(mode, part, &Run { mask, data: &data, count, edge_flags: edge_flags.as_deref() }, indexed);
+    }
+}
+
+impl Context {
+    /// glMultiDrawArrays.
+    pub fn multi_draw_arrays(&mut self, mode: GLenum, first: &[i32], count: &[i32]) {
+        for (&first, &count) in first.iter().zip(count) {
+            self.draw_arrays(mode, first, count);
+        }
+    }
+}

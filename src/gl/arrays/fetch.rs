@@ -1,0 +1,147 @@
+//! Reading client arrays: components of any type become f32 words of a vertex layout.
+
+use super::{Array, ComponentType};
+
+/// How a component becomes an f32 (table 2.9 for the normalised ones).
+trait Component: Copy {
+    fn plain(self) -> f32;
+    fn normalized(self) -> f32;
+}
+
+macro_rules! component {
+    ($($ty:ty, $value:ident => $normalized:expr;)*) => {
+        $(impl Component for $ty {
+            #[inline(always)]
+            fn plain(self) -> f32 {
+                self as f32
+            }
+            #[inline(always)]
+            fn normalized(self) -> f32 {
+                let $value = self;
+                $normalized
+            }
+        })*
+    };
+}
+component! {
+    i8, c => (2.0 * c as f32 + 1.0) * (1.0 / 255.0);
+    u8, c => c as f32 * (1.0 / 255.0);
+    i16, c => (2.0 * c as f32 + 1.0) * (1.0 / 65535.0);
+    u16, c => c as f32 * (1.0 / 65535.0);
+    i32, c => ((2.0 * c as f64 + 1.0) * (1.0 / 4294967295.0)) as f32;
+    u32, c => (c as f64 * (1.0 / 4294967295.0)) as f32;
+    f32, c => c;
+    f64, c => c as f32;
+}
+
+/// Elements of an array to read: a range or a list.
+#[derive(Clone, Copy)]
+pub(super) enum Elements<'a> {
+    Range { first: u32, count: u32 },
+    List(&'a [u32]),
+}
+
+impl Elements<'_> {
+    pub fn count(&self) -> u32 {
+        match self {
+            Elements::Range { count, .. } => *count,
+            Elements::List(list) => list.len() as u32,
+        }
+    }
+}
+
+/// Reads elements of an array into `out`: element k to `out[offset + k * stride ..][..size]`.
+///
+/// # Safety
+/// The array's elements must be readable, as a client promises by drawing from them.
+pub(super) unsafe fn fetch(array: &Array, elements: Elements, out: &mut [f32], offset: usize, stride: usize) {
+    // SAFETY: passed on.
+    unsafe {
+        match array.ty {
+            ComponentType::Byte => by_size::<i8>(array, elements, out, offset, stride),
+            ComponentType::UnsignedByte => by_size::<u8>(array, elements, out, offset, stride),
+            ComponentType::Short => by_size::<i16>(array, elements, out, offset, stride),
+            ComponentType::UnsignedShort => by_size::<u16>(array, elements, out, offset, stride),
+            ComponentType::Int => by_size::<i32>(array, elements, out, offset, stride),
+            ComponentType::UnsignedInt => by_size::<u32>(array, elements, out, offset, stride),
+            ComponentType::Float => by_size::<f32>(array, elements, out, offset, stride),
+            ComponentType::Double => by_size::<f64>(array, elements, out, offset, stride),
+        }
+    }
+}
+
+/// # Safety
+/// See [`fetch`].
+unsafe fn by_size<T: Component>(array: &Array, elements: Elements, out: &mut [f32], offset: usize, stride: usize) {
+    // SAFETY: passed on.
+    unsafe {
+        match (array.size, array.normalized) {
+            (1, _) => run::<T, 1, false>(array, elements, out, offset, stride),
+            (2, _) => run::<T, 2, false>(array, elements, out, offset, stride),
+            (3, false) => run::<T, 3, false>(array, elements, out, offset, stride),
+            (3, true) => run::<T, 3, true>(array, elements, out, offset, stride),
+            (_, false) => run::<T, 4, false>(array, elements, out, offset, stride),
+            (_, true) => run::<T, 4, true>(array, elements, out, offset, stride),
+        }
+    }
+}
+
+/// # Safety
+/// See [`fetch`].
+unsafe fn run<T: Component, const N: usize, const NORMALIZED: bool>(
+    array: &Array,
+    elements: Elements,
+    out: &mut [f32],
+    offset: usize,
+    stride: usize,
+) {
+    let step = array.step();
+    let places = out[offset..].chunks_mut(stride);
+    let read = |index: u32, place: &mut [f32]| {
+        let element = array.pointer.wrapping_add(index as usize * step).cast::<[T; N]>();
+        // SAFETY: the client promises that the element is there; it need not be aligned.
+        let values = unsafe { element.read_unaligned() };
+        for (word, value) in place[..N].iter_mut().zip(values) {
+            *word = if NORMALIZED { value.normalized() } else { value.plain() };
+        }
+    };
+    match elements {
+        Elements::Range { first, count } => places.take(count as usize).zip(first..).for_each(|(place, index)| read(index, place)),
+        Elements::List(list) => places.zip(list).for_each(|(place, &index)| read(index, place)),
+    }
+}
+
+/// One element as an attribute: absent components read as (0, 0, 0, 1).
+///
+/// # Safety
+/// See [`fetch`].
+pub(super) unsafe fn element(array: &Array, index: u32) -> [f32; 4] {
+    let mut value = [0.0, 0.0, 0.0, 1.0];
+    // SAFETY: passed on.
+    unsafe { fetch(array, Elements::Range { first: index, count: 1 }, &mut value, 0, 4) };
+    value
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strides_and_types_are_honoured() {
+        let bytes: [u8; 12] = [255, 0, 51, 9, 0, 255, 102, 9, 1, 2, 3, 4];
+        let array = Array { enabled: true, size: 3, ty: ComponentType::UnsignedByte, stride: 4, pointer: bytes.as_ptr(), normalized: true };
+        let mut out = [7.0; 10];
+        // SAFETY: two elements lie in `bytes`.
+        unsafe { fetch(&array, Elements::List(&[1, 0]), &mut out, 1, 5) };
+        assert_eq!(out, [7.0, 0.0, 1.0, 0.4, 7.0, 7.0, 1.0, 0.0, 0.2, 7.0]);
+    }
+
+    #[test]
+    fn an_unaligned_double_array_is_read() {
+        let mut bytes = vec![0u8];
+        bytes.extend([1.5f64, -2.0].iter().flat_map(|v| v.to_ne_bytes()));
+        let array = Array { enabled: true, size: 2, ty: ComponentType::Double, stride: 0, pointer: bytes[1..].as_ptr(), normalized: false };
+        // SAFETY: the element lies in `bytes`.
+        assert_eq!(unsafe { element(&array, 0) }, [1.5, -2.0, 0.0, 1.0]);
+    }
+}
