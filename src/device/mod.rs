@@ -1,6 +1,7 @@
 //! Where batches run: the embedded CPU executor or wgpu compute.
 
 pub mod cpu;
+pub mod gpu;
 
 use crate::draw::Batch;
 

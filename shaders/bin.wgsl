@@ -1,0 +1,58 @@
+// A lane a triangle: which bins of 64 x 64 pixels does it touch? A bit a triangle is set in the bin's mask of its block
+// (32 triangles). Reads triangles, writes masks (zero before; emit leaves them zero).
+
+fn tp_outside(base: u32, corner: vec2<i32>) -> bool {
+    // The box of samples corner .. corner + 63 lies outside one edge.
+    var outside = false;
+    for (var e = 0u; e < 3u; e++) {
+        let f = select(e + 1u, 0u, e == 2u);
+        let ax = bitcast<i32>(tp_triangles[base + e]);
+        let ay = bitcast<i32>(tp_triangles[base + 3u + e]);
+        let dx = ax - bitcast<i32>(tp_triangles[base + f]);
+        let dy = ay - bitcast<i32>(tp_triangles[base + 3u + f]);
+        // The corner where the edge function is greatest.
+        let x = corner.x + select(63, 0, dy > 0);
+        let y = corner.y + select(0, 63, dx > 0);
+        let c = tp_edge_floor(dx, y * 256 - ay, dy, x * 256 - ax, tp_edge_bias(dx, dy), 8u);
+        outside = outside || c < 0;
+    }
+    return outside;
+}
+
+@compute @workgroup_size(TP_LANES)
+fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let index = id.x + id.y * groups.x * TP_LANES;
+    if (index >= tp.triangle_count) {
+        return;
+    }
+    let base = (tp.first_triangle + index) * TP_TRIANGLE_WORDS;
+    let columns = tp_triangles[base + TP_TRIANGLE_COLUMNS];
+    let rows = tp_triangles[base + TP_TRIANGLE_ROWS];
+    let x0 = (columns & 0xffffu) >> 6u;
+    let x1 = columns >> 22u;
+    let y0 = (rows & 0xffffu) >> 6u;
+    let y1 = rows >> 22u;
+    if (x1 < x0 || y1 < y0) {
+        return;
+    }
+    let bit = 1u << (index & 31u);
+    // Boxes of up to 2 x 2 bins touch nearly all of them: the test would cost more than it saves.
+    let test = (x1 - x0 + 1u) * (y1 - y0 + 1u) > 4u;
+    var x = x0;
+    var y = y0;
+    loop {
+        var skip = false;
+        if (test) {
+            skip = tp_outside(base, vec2<i32>(i32(x * 64u), i32(y * 64u)));
+        }
+        if (!skip) {
+            atomicOr(&tp_lists[tp.mask_base + (y * tp.bins.x + x) * tp.blocks + (index >> 5u)], bit);
+        }
+        continuing {
+            let wrap = x == x1;
+            x = select(x + 1u, x0, wrap);
+            y = select(y, y + 1u, wrap);
+            break if y > y1;
+        }
+    }
+}

@@ -1,0 +1,202 @@
+// Colour: quantised, blended or combined by a logic op, masked. Eight bits a component: unorm arithmetic, every product
+// divided by 255 and rounded on its own, sums and differences saturate (src/raster/blend.rs); others: src/raster/formats.rs.
+
+//#if COLOR_8BIT
+fn tp_quantise_color(c: vec4<f32>) -> vec4<u32> {
+    return vec4<u32>(round(clamp(c, vec4<f32>(0.0), vec4<f32>(1.0)) * TP_COLOR_SCALE));
+}
+
+//#if BLEND
+fn tp_mul_unorm(a: vec4<u32>, b: vec4<u32>) -> vec4<u32> {
+    let t = a * b + 128u;
+    return (t + (t >> vec4<u32>(8u))) >> vec4<u32>(8u);
+}
+
+// A term times its blend factor; `f` is known when the kernel is built, unless draws of the segment differ.
+fn tp_factor(f: u32, s: vec4<u32>, d: vec4<u32>, constant: vec4<u32>) -> vec4<u32> {
+    var v = vec4<u32>(0u);
+    switch f {
+        case 1u: { v = TP_COLOR_MAX; }
+        case 2u: { v = s; }
+        case 3u: { v = TP_COLOR_MAX - s; }
+        case 4u: { v = s.wwww; }
+        case 5u: { v = TP_COLOR_MAX - s.wwww; }
+        case 6u: { v = d.wwww; }
+        case 7u: { v = TP_COLOR_MAX - d.wwww; }
+        case 8u: { v = d; }
+        case 9u: { v = TP_COLOR_MAX - d; }
+        case 10u: { v = vec4<u32>(min(s.www, TP_COLOR_MAX.www - d.www), TP_COLOR_MAX.w); }
+        case 11u: { v = constant; }
+        case 12u: { v = TP_COLOR_MAX - constant; }
+        case 13u: { v = constant.wwww; }
+        case 14u: { v = TP_COLOR_MAX - constant.wwww; }
+        default: {}
+    }
+    return v;
+}
+
+fn tp_equation(eq: u32, fs: u32, fd: u32, s: vec4<u32>, d: vec4<u32>, constant: vec4<u32>) -> vec4<u32> {
+    let a = tp_mul_unorm(s, tp_factor(fs, s, d, constant));
+    let b = tp_mul_unorm(d, tp_factor(fd, s, d, constant));
+    var v = min(a + b, TP_COLOR_MAX);
+    switch eq {
+        case 1u: { v = max(a, b) - b; }
+        case 2u: { v = max(a, b) - a; }
+        case 3u: { v = min(s, d); }
+        case 4u: { v = max(s, d); }
+        default: {}
+    }
+    return v;
+}
+
+fn tp_blend(state: TpState, s: vec4<u32>, d: vec4<u32>) -> vec4<u32> {
+//#if BLEND_CONSTANT
+    let constant = tp_quantise_color(state.blend_color);
+//#else
+    let constant = vec4<u32>(0u);
+//#endif
+//#if BLEND_DYNAMIC
+    let factors = state.factors;
+    let equations = state.equations;
+//#else
+    const factors = TP_BLEND_FACTORS;
+    const equations = TP_BLEND_EQUATIONS;
+//#endif
+    let color = tp_equation(equations.x, factors.x, factors.y, s, d, constant);
+//#if BLEND_UNIFORM
+    return color;
+//#else
+    let alpha = tp_equation(equations.y, factors.z, factors.w, s, d, constant);
+    return vec4<u32>(color.xyz, alpha.w);
+//#endif
+}
+//#endif
+
+fn tp_merge(state: TpState, old: TpPixel, color: vec4<f32>) -> TpPixel {
+    var s = tp_quantise_color(color);
+//#if BLEND
+    let d = tp_unpack(old);
+//#if STATE_FLAGS
+    s = select(s, tp_blend(state, s, d), (state.flags & TP_BLEND_ON) != 0u);
+//#else
+    s = tp_blend(state, s, d);
+//#endif
+//#endif
+    return tp_masked(state, old, tp_pack(s));
+}
+//#endif
+
+// The other formats blend in floats.
+//#if COLOR_8BIT
+//#else
+fn tp_factor(f: u32, s: vec4<f32>, d: vec4<f32>, constant: vec4<f32>) -> vec4<f32> {
+    var v = vec4<f32>(0.0);
+    switch f {
+        case 1u: { v = vec4<f32>(1.0); }
+        case 2u: { v = s; }
+        case 3u: { v = 1.0 - s; }
+        case 4u: { v = s.wwww; }
+        case 5u: { v = 1.0 - s.wwww; }
+        case 6u: { v = d.wwww; }
+        case 7u: { v = 1.0 - d.wwww; }
+        case 8u: { v = d; }
+        case 9u: { v = 1.0 - d; }
+        case 10u: { v = vec4<f32>(vec3<f32>(min(s.w, 1.0 - d.w)), 1.0); }
+        case 11u: { v = constant; }
+        case 12u: { v = 1.0 - constant; }
+        case 13u: { v = constant.wwww; }
+        case 14u: { v = 1.0 - constant.wwww; }
+        default: {}
+    }
+    return v;
+}
+
+fn tp_equation(eq: u32, fs: u32, fd: u32, s: vec4<f32>, d: vec4<f32>, constant: vec4<f32>) -> vec4<f32> {
+    let a = s * tp_factor(fs, s, d, constant);
+    let b = d * tp_factor(fd, s, d, constant);
+    var v = a + b;
+    switch eq {
+        case 1u: { v = a - b; }
+        case 2u: { v = b - a; }
+        case 3u: { v = min(s, d); }
+        case 4u: { v = max(s, d); }
+        default: {}
+    }
+    return v;
+}
+
+fn tp_merge(state: TpState, old: TpPixel, color: vec4<f32>) -> TpPixel {
+//#if COLOR_UNORM
+    var s = clamp(color, vec4<f32>(0.0), vec4<f32>(1.0));
+//#else
+    var s = color;
+//#endif
+//#if BLEND
+//#if COLOR_UNORM
+    let d = vec4<f32>(tp_unpack(old)) / TP_COLOR_SCALE;
+//#else
+    let d = bitcast<vec4<f32>>(old);
+//#endif
+//#if BLEND_DYNAMIC
+    let factors = state.factors;
+    let equations = state.equations;
+//#else
+    const factors = TP_BLEND_FACTORS;
+    const equations = TP_BLEND_EQUATIONS;
+//#endif
+//#if BLEND_CONSTANT
+    let constant = state.blend_color;
+//#else
+    let constant = vec4<f32>(0.0);
+//#endif
+    let rgb = tp_equation(equations.x, factors.x, factors.y, s, d, constant);
+    let alpha = tp_equation(equations.y, factors.z, factors.w, s, d, constant);
+    let blended = vec4<f32>(rgb.xyz, alpha.w);
+//#if STATE_FLAGS
+    s = select(s, blended, (state.flags & TP_BLEND_ON) != 0u);
+//#else
+    s = blended;
+//#endif
+//#endif
+//#if COLOR_UNORM
+    return tp_masked(state, old, tp_pack(vec4<u32>(round(clamp(s, vec4<f32>(0.0), vec4<f32>(1.0)) * TP_COLOR_SCALE))));
+//#else
+    return tp_masked(state, old, bitcast<vec4<u32>>(s));
+//#endif
+}
+//#endif
+
+// Logic op and colour mask.
+fn tp_masked(state: TpState, old: TpPixel, new_pixel: TpPixel) -> TpPixel {
+    var n = new_pixel;
+//#if LOGIC_OP
+//#if COLOR_UNORM
+    let s = n;
+    var v = n;
+    switch state.logic_op {
+        case 0u: { v = s & ~s; }
+        case 1u: { v = s & old; }
+        case 2u: { v = s & ~old; }
+        case 4u: { v = ~s & old; }
+        case 5u: { v = old; }
+        case 6u: { v = s ^ old; }
+        case 7u: { v = s | old; }
+        case 8u: { v = ~(s | old); }
+        case 9u: { v = ~(s ^ old); }
+        case 10u: { v = ~old; }
+        case 11u: { v = s | ~old; }
+        case 12u: { v = ~s; }
+        case 13u: { v = ~s | old; }
+        case 14u: { v = ~(s & old); }
+        case 15u: { v = s | ~s; }
+        default: {}
+    }
+    n = select(n, tp_pack(tp_unpack(v)), (state.flags & TP_LOGIC_OP_ON) != 0u);
+//#endif
+//#endif
+//#if COLOR_MASK
+    let m = vec4<bool>((state.color_mask & 1u) != 0u, (state.color_mask & 2u) != 0u, (state.color_mask & 4u) != 0u, (state.color_mask & 8u) != 0u);
+    n = tp_pack(select(tp_unpack(old), tp_unpack(n), m));
+//#endif
+    return n;
+}

@@ -1,0 +1,25 @@
+// A lane a pixel of the clear's rectangle.
+
+@compute @workgroup_size(TP_LANES)
+fn tp_main(@builtin(global_invocation_id) id: vec3<u32>) {
+    let x = i32(id.x) + tp.clear_min.x;
+    let y = i32(id.y) + tp.clear_min.y;
+    if (x >= tp.clear_max.x) {
+        return;
+    }
+    let at = u32(y) * tp.size.x + u32(x);
+    for (var k = 0u; k < TP_COLOR_WORDS; k++) {
+        let mask = tp.clear_mask[k];
+        let i = at * TP_COLOR_WORDS + k;
+        if (mask == 0xffffffffu) {
+            tp_color[i] = tp.clear_color[k];
+        } else if (mask != 0u) {
+            tp_color[i] = (tp_color[i] & ~mask) | (tp.clear_color[k] & mask);
+        }
+    }
+    if (tp.clear_depth_mask == 0xffffffffu) {
+        tp_depth[at] = tp.clear_depth;
+    } else if (tp.clear_depth_mask != 0u) {
+        tp_depth[at] = (tp_depth[at] & ~tp.clear_depth_mask) | (tp.clear_depth & tp.clear_depth_mask);
+    }
+}

@@ -1,0 +1,24 @@
+// A lane for each bin and each super block (1024 triangles): how many triangles of it touch the bin?
+
+@compute @workgroup_size(TP_LANES)
+fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let index = id.x + id.y * groups.x * TP_LANES;
+    if (index >= tp.bins.x * tp.bins.y * tp.supers) {
+        return;
+    }
+    let bin = index / tp.supers;
+    let super_block = index - bin * tp.supers;
+    let first = super_block * 32u;
+    let end = min(first + 32u, tp.blocks);
+    let base = tp.mask_base + bin * tp.blocks;
+    var count = 0u;
+    var block = first;
+    loop {
+        count += countOneBits(tp_lists[base + block]);
+        continuing {
+            block++;
+            break if block >= end;
+        }
+    }
+    tp_lists[tp.count_base + index] = count;
+}

@@ -1,0 +1,60 @@
+// One workgroup: where each bin's list starts (in blocks of 32 entries), which bins are not empty, and how many
+// workgroups the tile and fine stages get. Counts of a bin's super blocks become offsets within its list.
+
+@group(1) @binding(0) var<storage, read_write> tp_indirect: array<u32>;
+
+var<workgroup> tp_sums: array<vec2<u32>, TP_LANES>;
+
+@compute @workgroup_size(TP_LANES)
+fn tp_main(@builtin(local_invocation_index) lane: u32) {
+    let bins = tp.bins.x * tp.bins.y;
+    let share = (bins + TP_LANES - 1u) / TP_LANES;
+    let first = min(lane * share, bins);
+    let end = min(first + share, bins);
+    // This lane's bins: list blocks and bins that are not empty.
+    var sum = vec2<u32>(0u);
+    for (var bin = first; bin < end; bin++) {
+        var total = 0u;
+        let base = tp.count_base + bin * tp.supers;
+        for (var s = 0u; s < tp.supers; s++) {
+            let count = tp_lists[base + s];
+            tp_lists[base + s] = total;
+            total += count;
+        }
+        tp_lists[tp.bin_base + bin * 2u] = sum.x;
+        tp_lists[tp.bin_base + bin * 2u + 1u] = total;
+        sum += vec2<u32>((total + 31u) / 32u, select(0u, 1u, total > 0u));
+    }
+    tp_sums[lane] = sum;
+    workgroupBarrier();
+    var before = vec2<u32>(0u);
+    for (var l = 0u; l < lane; l++) {
+        before += tp_sums[l];
+    }
+    let total = before + sum;
+    var active_bins = before.y;
+    for (var bin = first; bin < end; bin++) {
+        let at = tp.bin_base + bin * 2u;
+        tp_lists[at] += before.x;
+        if (tp_lists[at + 1u] > 0u) {
+            tp_lists[tp.active_base + active_bins] = bin;
+            active_bins++;
+        }
+    }
+    if (lane == TP_LANES - 1u) {
+        // Lists that do not fit are not drawn; the host sees the flag and draws the batch in smaller pieces.
+        let failed = total.x > tp.list_blocks;
+        let blocks = select(total.x, 0u, failed);
+        let drawn = select(total.y, 0u, failed);
+        tp_indirect[0] = min(blocks, 32768u);
+        tp_indirect[1] = (blocks + 32767u) / 32768u;
+        tp_indirect[2] = 1u;
+        tp_indirect[3] = 64u;
+        tp_indirect[4] = min(drawn, 32768u);
+        tp_indirect[5] = (drawn + 32767u) / 32768u;
+        tp_indirect[6] = blocks;
+        tp_indirect[7] = drawn;
+        tp_lists[0] = total.x;
+        tp_lists[1] = drawn;
+    }
+}

@@ -1,0 +1,101 @@
+//! The Vulkan device, opened once, and the kernel shape that suits it.
+
+use std::sync::OnceLock;
+
+/// How kernels are cut for a machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Shape {
+    /// Lanes of the fine stage's workgroups: 64 (a pixel each) or 8 (a column of a tile each).
+    pub fine_lanes: u32,
+    /// Lanes of the other stages' workgroups.
+    pub list_lanes: u32,
+    /// Workgroups of 8 lanes are one subgroup: values that all lanes need are loaded by one lane each and broadcast.
+    pub subgroup8: bool,
+    /// The driver splits `fma`, and there are doubles to work it out with.
+    pub fma64: bool,
+}
+
+/// An open device.
+pub struct Gpu {
+    /// The device.
+    pub device: wgpu::Device,
+    /// Its queue.
+    pub queue: wgpu::Queue,
+    /// What it is.
+    pub info: wgpu::AdapterInfo,
+    /// Kernel shape.
+    pub shape: Shape,
+}
+
+/// True where a machine may have a GPU at all: looked for in /dev, before Vulkan is loaded (which takes 100 ms).
+pub fn device_files_present() -> bool {
+    let any = |folder: &str, prefix: &str| {
+        std::fs::read_dir(folder)
+            .is_ok_and(|mut entries| entries.any(|e| e.is_ok_and(|e| e.file_name().to_string_lossy().starts_with(prefix))))
+    };
+    any("/dev", "nvidia") || any("/dev/dri", "renderD")
+}
+
+fn instance() -> wgpu::Instance {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = wgpu::Backends::VULKAN;
+    descriptor.flags = if cfg!(debug_assertions) { wgpu::InstanceFlags::debugging() } else { wgpu::InstanceFlags::empty() };
+    wgpu::Instance::new(descriptor)
+}
+
+fn rank(adapter: &wgpu::Adapter) -> u32 {
+    match adapter.get_info().device_type {
+        wgpu::DeviceType::DiscreteGpu => 0,
+        wgpu::DeviceType::IntegratedGpu => 1,
+        wgpu::DeviceType::VirtualGpu => 2,
+        wgpu::DeviceType::Other => 3,
+        wgpu::DeviceType::Cpu => 4,
+    }
+}
+
+fn adapter() -> Result<wgpu::Adapter, String> {
+    let adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::VULKAN));
+    adapters.into_iter().min_by_key(rank).ok_or_else(|| "no Vulkan adapter".to_string())
+}
+
+/// Whether the best adapter is hardware. Loads Vulkan: ask [`device_files_present`] first.
+pub fn hardware_adapter_present() -> bool {
+    adapter().is_ok_and(|a| rank(&a) < 4)
+}
+
+fn open() -> Result<Gpu, String> {
+    let adapter = adapter()?;
+    let info = adapter.get_info();
+    let wanted = wgpu::Features::SUBGROUP | wgpu::Features::SHADER_F64;
+    let features = adapter.features() & wanted;
+    let descriptor = wgpu::DeviceDescriptor {
+        label: Some("tepui"),
+        required_features: features,
+        required_limits: adapter.limits(),
+        memory_hints: wgpu::MemoryHints::Performance,
+        ..Default::default()
+    };
+    let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(|e| format!("{}: {e}", info.name))?;
+    let cpu = info.device_type == wgpu::DeviceType::Cpu;
+    // Every GPU fuses; Mesa's software driver does not.
+    let fma64 = cpu && features.contains(wgpu::Features::SHADER_F64);
+    let mut shape = if cpu {
+        let subgroup8 = features.contains(wgpu::Features::SUBGROUP) && info.subgroup_min_size == 8 && info.subgroup_max_size == 8;
+        Shape { fine_lanes: 8, list_lanes: 8, subgroup8, fma64 }
+    } else {
+        Shape { fine_lanes: 64, list_lanes: 64, subgroup8: false, fma64 }
+    };
+    // For tests of the other shapes on one machine.
+    match std::env::var("TEPUI_GPU_SHAPE").as_deref() {
+        Ok("64") => shape = Shape { fine_lanes: 64, list_lanes: 64, subgroup8: false, fma64 },
+        Ok("8") => shape = Shape { fine_lanes: 8, list_lanes: 8, subgroup8: false, fma64 },
+        _ => {}
+    }
+    Ok(Gpu { device, queue, info, shape })
+}
+
+/// The process's device.
+pub fn gpu() -> Result<&'static Gpu, String> {
+    static GPU: OnceLock<Result<Gpu, String>> = OnceLock::new();
+    GPU.get_or_init(open).as_ref().map_err(String::clone)
+}

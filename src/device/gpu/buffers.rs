@@ -1,0 +1,47 @@
+//! GPU buffers that grow.
+
+/// A buffer that grows to what is asked for. What it held is lost when it grows; a new one holds zeros.
+pub struct Growing {
+    label: &'static str,
+    usage: wgpu::BufferUsages,
+    buffer: wgpu::Buffer,
+    /// Counts replacements, so that bind groups know when they are stale.
+    pub generation: u32,
+}
+
+impl Growing {
+    /// A small buffer.
+    pub fn new(device: &wgpu::Device, label: &'static str, usage: wgpu::BufferUsages) -> Growing {
+        let usage = usage | wgpu::BufferUsages::COPY_DST;
+        Growing { label, usage, buffer: create(device, label, usage, 4096), generation: 0 }
+    }
+
+    /// At least `bytes` large.
+    pub fn reserve(&mut self, device: &wgpu::Device, bytes: u64) {
+        if self.buffer.size() < bytes {
+            // Twice as much as before, so that a growing scene does not replace the buffer each time; but no more than a binding may hold.
+            let most = device.limits().max_storage_buffer_binding_size;
+            let size = bytes.max((self.buffer.size() * 2).min(most)).next_multiple_of(256);
+            self.buffer = create(device, self.label, self.usage, size);
+            self.generation += 1;
+        }
+    }
+
+    /// Writes words from the start; grows as needed, with some words of slack behind them.
+    pub fn upload(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, bytes: &[u8]) {
+        self.reserve(device, bytes.len() as u64 + 256);
+        if !bytes.is_empty() {
+            queue.write_buffer(&self.buffer, 0, bytes);
+        }
+    }
+
+    /// The buffer.
+    pub fn get(&self) -> &wgpu::Buffer {
+        &self.buffer
+    }
+}
+
+/// A buffer of zeros.
+pub fn create(device: &wgpu::Device, label: &str, usage: wgpu::BufferUsages, size: u64) -> wgpu::Buffer {
+    device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size: size.max(256), usage, mapped_at_creation: false })
+}

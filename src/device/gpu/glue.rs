@@ -1,0 +1,169 @@
+//! The text between the fine kernel and a fragment program: loads of plane equations, interpolation, the call.
+
+use std::fmt::Write;
+
+use super::adapter::Shape;
+use super::kernels::{FineKey, feature};
+use crate::program::{Input, Program};
+use crate::raster::layout::{DEPTH_PLANE_VEC4, VARYING_PLANE_VEC4, interpolation};
+
+/// What to insert into `shaders/fine.wgsl`.
+#[derive(Default)]
+pub struct Glue {
+    /// Loads of the planes' words.
+    pub planes: String,
+    /// Depth of the pixel.
+    pub depth: String,
+    /// The call of the program.
+    pub shade: String,
+}
+
+/// First word of a varying's planes.
+fn varying_word(k: u8) -> u32 {
+    (DEPTH_PLANE_VEC4 + k as u32 * VARYING_PLANE_VEC4) * 4
+}
+
+fn interpolation_of(program: &Program, k: u8) -> u32 {
+    program.varyings.get(k as usize).map_or(interpolation::LINEAR, |v| v.interpolation)
+}
+
+/// The text for a program and a key.
+pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
+    let mut glue = Glue::default();
+    let on = |bit: u32| key.features & bit != 0;
+    let shades = on(feature::SHADES);
+    let inputs: &[Input] = if shades { &program.inputs } else { &[] };
+    let reads_position = inputs.contains(&Input::Position);
+    let needs_z = on(feature::DEPTH_TEST) && !program.writes_depth || reads_position;
+    let perspective = |k: u8| on(feature::PERSPECTIVE) && interpolation_of(program, k) == interpolation::PERSPECTIVE;
+    let varyings: Vec<u8> = {
+        let mut list: Vec<u8> = inputs
+            .iter()
+            .filter_map(|i| match *i {
+                Input::Varying(k) | Input::Quad(k, _) => Some(k),
+                _ => None,
+            })
+            .collect();
+        list.sort_unstable();
+        list.dedup();
+        list
+    };
+    let needs_w = reads_position || varyings.iter().any(|&k| perspective(k));
+
+    // Words of planes that are wanted.
+    let mut words: Vec<u32> = Vec::new();
+    if needs_z {
+        words.extend(0..3);
+    }
+    if needs_w {
+        words.extend(3..6);
+    }
+    for &k in &varyings {
+        let n = if interpolation_of(program, k) == interpolation::FLAT { 4 } else { 12 };
+        words.extend(varying_word(k)..varying_word(k) + n);
+    }
+    if shape.subgroup8 {
+        let mut groups: Vec<u32> = words.iter().map(|w| w / 8).collect();
+        groups.dedup();
+        for g in groups {
+            let _ = writeln!(glue.planes, "let pg{g} = tp_planes[planes + {}u + column];", g * 8);
+        }
+        for w in &words {
+            let _ = writeln!(glue.planes, "let p{w} = subgroupBroadcast(pg{}, {}u);", w / 8, w % 8);
+        }
+    } else {
+        for w in &words {
+            let _ = writeln!(glue.planes, "let p{w} = tp_planes[planes + {w}u];");
+        }
+    }
+
+    // What depends on the column only is worked out once a triangle where a lane has a whole column.
+    let hoist = shape.fine_lanes < 64;
+    // Colours forgive a rounding more; where a texel is, or what is compared, does not.
+    let exact = !key.textures.is_empty();
+    let fma4 =
+        |a: &str, b: String, c: String| if exact { format!("tp_fma4({a}, {b}, {c})") } else { format!("fma(vec4<f32>({a}), {b}, {c})") };
+    {
+        let columns = if hoist { &mut glue.planes } else { &mut glue.depth };
+        if needs_z {
+            columns.push_str("let zx = tp_fma(x, p1, p0);\n");
+        }
+        if needs_w {
+            columns.push_str("let wx = tp_fma(x, p4, p3);\n");
+        }
+    }
+    if needs_z {
+        glue.depth.push_str("let z = tp_fma(y, p2, zx);\n");
+    }
+    if on(feature::DEPTH_TEST) && !program.writes_depth {
+        glue.depth.push_str("let depth = tp_quantise(state, z);\n");
+    }
+    if !shades {
+        return glue;
+    }
+    let vec4 = |first: u32| format!("vec4<f32>(p{}, p{}, p{}, p{})", first, first + 1, first + 2, first + 3);
+    let flat = |k: u8| interpolation_of(program, k) == interpolation::FLAT;
+    let quad = inputs.iter().any(|i| matches!(i, Input::Quad(..)));
+    {
+        let columns = if hoist { &mut glue.planes } else { &mut glue.shade };
+        if quad {
+            columns.push_str("let qx = f32(px & ~1u);\nlet qx1 = qx + 1.0;\n");
+            if needs_w {
+                columns.push_str("let qwx = tp_fma(qx, p4, p3);\nlet qwx1 = tp_fma(qx1, p4, p3);\n");
+            }
+        }
+        for input in inputs {
+            let (k, name, x) = match *input {
+                Input::Varying(k) => (k, "v", "x"),
+                Input::Quad(k, 1) => (k, "q1_", "qx1"),
+                Input::Quad(k, 2) => (k, "q2_", "qx"),
+                Input::Quad(k, _) => (k, "q0_", "qx"),
+                _ => continue,
+            };
+            let first = varying_word(k);
+            let value = if flat(k) { vec4(first) } else { fma4(x, vec4(first + 4), vec4(first)) };
+            let _ = writeln!(columns, "let {name}{k} = {value};");
+        }
+    }
+    let shade = &mut glue.shade;
+    if needs_w {
+        shade.push_str("let w = tp_fma(y, p5, wx);\nlet reciprocal = 1.0 / w;\n");
+    }
+    if quad {
+        shade.push_str("let qy = f32(py & ~1u);\nlet qy1 = qy + 1.0;\n");
+        if needs_w {
+            shade.push_str(
+                "let qr0 = 1.0 / tp_fma(qy, p5, qwx);\nlet qr1 = 1.0 / tp_fma(qy, p5, qwx1);\nlet qr2 = 1.0 / tp_fma(qy1, p5, qwx);\n",
+            );
+        }
+    }
+    let at = |k: u8, column: &str, y: &str, reciprocal: &str| {
+        if flat(k) {
+            return format!("{column}{k}");
+        }
+        let value = fma4(y, vec4(varying_word(k) + 8), format!("{column}{k}"));
+        if perspective(k) { format!("{value} * {reciprocal}") } else { value }
+    };
+    let mut arguments: Vec<String> = Vec::new();
+    for (i, input) in inputs.iter().enumerate() {
+        let value = match *input {
+            Input::Position => "vec4<f32>(x + 0.5, y + 0.5, z, w)".to_string(),
+            Input::Facing => "vec4<f32>(select(0.0, 1.0, (flags & TP_FRONT) != 0u), 0.0, 0.0, 0.0)".to_string(),
+            Input::Varying(k) => at(k, "v", "y", "reciprocal"),
+            Input::Quad(k, 1) => at(k, "q1_", "qy", "qr1"),
+            Input::Quad(k, 2) => at(k, "q2_", "qy1", "qr2"),
+            Input::Quad(k, _) => at(k, "q0_", "qy", "qr0"),
+        };
+        let _ = writeln!(shade, "let in{i} = {value};");
+        arguments.push(format!("in{i}"));
+    }
+    let _ = writeln!(shade, "let result = fragment_main(FragmentIn({}), fragment_uniforms);", arguments.join(", "));
+    shade.push_str("color = result.color;\n");
+    if program.writes_depth {
+        shade.push_str("program_depth = result.depth;\n");
+    }
+    if program.discards {
+        shade.push_str("keep = result.keep;\n");
+    }
+    glue
+}

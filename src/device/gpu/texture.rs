@@ -1,0 +1,152 @@
+//! Textures on the GPU: a heap of texels that all images share, bindings as records, and the sampling code that a
+//! segment needs.
+
+use std::collections::HashMap;
+use std::fmt::Write;
+
+use bytemuck::cast_slice;
+
+use super::buffers::Growing;
+use super::source::{Options, expand, files};
+use crate::draw::texture::{TexelFormat, TextureBinding, TextureImage, TextureKind, Wrap};
+
+/// What sampling of a texture slot needs: a part of the kernel's key.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct TextureClass {
+    /// Kind of image.
+    pub kind: TextureKind,
+    /// Texel storage.
+    pub format: TexelFormat,
+    /// Wrap modes.
+    pub wrap: [Wrap; 3],
+    /// Linear magnification.
+    pub mag_linear: bool,
+    /// Linear minification.
+    pub min_linear: bool,
+    /// Mipmaps.
+    pub mip_linear: Option<bool>,
+}
+
+impl TextureClass {
+    /// Of a slot without a texture.
+    pub const NONE: TextureClass = TextureClass {
+        kind: TextureKind::D2,
+        format: TexelFormat::Rgba8,
+        wrap: [Wrap::Repeat; 3],
+        mag_linear: false,
+        min_linear: false,
+        mip_linear: None,
+    };
+
+    /// Of a binding.
+    pub fn new(binding: &TextureBinding) -> TextureClass {
+        let s = &binding.sampler;
+        let single = binding.image.levels.len() <= 1;
+        TextureClass {
+            kind: binding.image.kind,
+            format: binding.image.format,
+            wrap: s.wrap,
+            mag_linear: s.mag_linear,
+            min_linear: s.min_linear,
+            mip_linear: if single { None } else { s.mip_linear },
+        }
+    }
+}
+
+/// Appends the sampling code for these slots.
+pub fn splice(classes: &[TextureClass], options: &Options, source: &mut String) {
+    expand(files::TEXTURE, options, source);
+    source.push_str("fn texture_sample(slot: u32, coord: vec4<f32>, ddx: vec4<f32>, ddy: vec4<f32>) -> vec4<f32> {\n");
+    let _ = writeln!(source, "return vec4<f32>(1.0); // {} slots\n}}", classes.len());
+}
+
+/// Words of a texture binding's record.
+pub const BINDING_WORDS: usize = 16;
+/// Words of a level's record.
+pub const LEVEL_WORDS: usize = 4;
+
+/// The texels of all images, cached by the images' ids.
+pub struct Heap {
+    texels: Growing,
+    offsets: HashMap<u64, u32>,
+    used: u32,
+}
+
+impl Heap {
+    /// Empty.
+    pub fn new(device: &wgpu::Device) -> Heap {
+        Heap { texels: Growing::new(device, "texels", wgpu::BufferUsages::STORAGE), offsets: HashMap::new(), used: 0 }
+    }
+
+    /// Changes when the buffer was replaced.
+    pub fn generation(&self) -> u32 {
+        self.texels.generation
+    }
+
+    /// The buffer.
+    pub fn buffer(&self) -> &wgpu::Buffer {
+        self.texels.get()
+    }
+
+    fn words(image: &TextureImage) -> u32 {
+        image.levels.iter().map(|l| l.texels.len() as u32).sum()
+    }
+
+    /// Uploads the images of these bindings that are not there yet.
+    pub fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, bindings: &[TextureBinding]) {
+        let mut missing: Vec<&TextureImage> = Vec::new();
+        for b in bindings {
+            if !self.offsets.contains_key(&b.image.id) && !missing.iter().any(|m| m.id == b.image.id) {
+                missing.push(&b.image);
+            }
+        }
+        if missing.is_empty() {
+            return;
+        }
+        let more: u64 = missing.iter().map(|i| Heap::words(i) as u64).sum();
+        if (self.used as u64 + more) * 4 > self.texels.get().size() {
+            // Start over with what this batch needs: a simple rule, rarely used, since the buffer doubles.
+            self.offsets.clear();
+            self.used = 0;
+            missing.clear();
+            for b in bindings {
+                if !missing.iter().any(|m| m.id == b.image.id) {
+                    missing.push(&b.image);
+                }
+            }
+            let all: u64 = missing.iter().map(|i| Heap::words(i) as u64).sum();
+            self.texels.reserve(device, all * 4);
+        }
+        for image in missing {
+            self.offsets.insert(image.id, self.used);
+            for level in &image.levels {
+                queue.write_buffer(self.texels.get(), self.used as u64 * 4, cast_slice(&level.texels));
+                self.used += level.texels.len() as u32;
+            }
+        }
+    }
+
+    /// Appends the bindings' records, all of one size, then the levels that they point to.
+    pub fn records(&self, bindings: &[TextureBinding], words: &mut Vec<u32>) {
+        let start = words.len();
+        words.resize(start + bindings.len() * BINDING_WORDS, 0);
+        for (k, b) in bindings.iter().enumerate() {
+            let levels = words.len() as u32;
+            let mut offset = self.offsets.get(&b.image.id).copied().unwrap_or(0);
+            for level in &b.image.levels {
+                words.extend([offset, level.width, level.height, level.depth]);
+                offset += level.texels.len() as u32;
+            }
+            let s = &b.sampler;
+            let record = &mut words[start + k * BINDING_WORDS..][..BINDING_WORDS];
+            record[0] = levels;
+            record[1] = b.image.levels.len() as u32;
+            record[2] = s.lod_range[0].to_bits();
+            record[3] = s.lod_range[1].to_bits();
+            record[4] = s.lod_bias.to_bits();
+            for c in 0..4 {
+                record[8 + c] = s.border[c].to_bits();
+            }
+        }
+    }
+}
