@@ -1,5 +1,5 @@
 // Colour: quantised, blended or combined by a logic op, masked. Eight bits a component: unorm arithmetic, every product
-// divided by 255 and rounded on its own, sums and differences saturate (src/raster/blend.rs); others: src/raster/formats.rs.
+// divided by 255 and rounded on its own as llvmpipe rounds it, sums and differences saturate (src/raster/blend.rs); others: src/raster/formats.rs.
 
 //#if COLOR_8BIT
 fn tp_quantise_color(c: vec4<f32>) -> vec4<u32> {
@@ -8,8 +8,8 @@ fn tp_quantise_color(c: vec4<f32>) -> vec4<u32> {
 
 //#if BLEND
 fn tp_mul_unorm(a: vec4<u32>, b: vec4<u32>) -> vec4<u32> {
-    let t = a * b + 128u;
-    return (t + (t >> vec4<u32>(8u))) >> vec4<u32>(8u);
+    let t = a * b;
+    return (t + (t >> vec4<u32>(8u)) + 128u) >> vec4<u32>(8u);
 }
 
 // A term times its blend factor; `f` is known when the kernel is built, unless draws of the segment differ.

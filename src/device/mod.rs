@@ -109,7 +109,25 @@ pub trait Device: Send + Sync {
 }
 
 /// The process's device: `TEPUI_DEVICE` is `auto` (the default), `cpu` or `gpu`. Chosen once, then shared by all contexts.
+///
+/// `auto` takes a GPU only where there is real hardware; `gpu` takes any Vulkan adapter, and the CPU where there is none.
 pub fn choose() -> std::sync::Arc<dyn Device> {
     static CHOSEN: std::sync::OnceLock<std::sync::Arc<dyn Device>> = std::sync::OnceLock::new();
-    CHOSEN.get_or_init(|| std::sync::Arc::new(cpu::CpuDevice::new())).clone()
+    CHOSEN
+        .get_or_init(|| {
+            let wish = std::env::var("TEPUI_DEVICE").unwrap_or_default();
+            let gpu_wanted = match wish.as_str() {
+                "gpu" => true,
+                "cpu" => false,
+                _ => gpu::real_gpu_present(),
+            };
+            if gpu_wanted {
+                match gpu::GpuDevice::new() {
+                    Ok(device) => return std::sync::Arc::new(device),
+                    Err(e) => log::warn!(target: "tepui::device", "no GPU: {e}; drawing on the CPU"),
+                }
+            }
+            std::sync::Arc::new(cpu::CpuDevice::new())
+        })
+        .clone()
 }
