@@ -9,6 +9,8 @@ mod kernels;
 mod params;
 mod source;
 mod surface;
+#[cfg(test)]
+mod tests;
 mod texture;
 
 use std::sync::Arc;
