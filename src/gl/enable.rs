@@ -28,8 +28,8 @@ impl Context {
         if self.inside_begin_end() {
             return false;
         }
-        match self.capability(cap) {
-            Some((slot, _)) => *slot,
+        match self.capability(cap).map(|(slot, _)| *slot).or_else(|| self.arrays.is_enabled(cap)) {
+            Some(on) => on,
             None => {
                 self.set_error(GL_INVALID_ENUM, "glIsEnabled");
                 false

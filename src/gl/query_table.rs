@@ -14,6 +14,12 @@ impl Context {
         if let Some(on) = self.capability_value(pname) {
             return Some(Value::bool(on));
         }
+        if let Some(value) = self.arrays.get(pname) {
+            return Some(Value::int(value));
+        }
+        if let Some(on) = self.arrays.is_enabled(pname) {
+            return Some(Value::bool(on));
+        }
         self.query_vertex_state(pname)
             .or_else(|| self.query_raster_state(pname))
             .or_else(|| self.query_fragment_state(pname))

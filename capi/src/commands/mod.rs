@@ -6,6 +6,7 @@
 //! points to as many values as the specification of the command says for its other arguments and the pixel store state.
 #![allow(clippy::missing_safety_doc, clippy::too_many_arguments)]
 
+pub mod arrays;
 pub mod evaluators;
 pub mod flush;
 pub mod get;

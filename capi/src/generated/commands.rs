@@ -42,11 +42,11 @@ pub unsafe extern "C" fn glAreTexturesResidentEXT(n: i32, textures: *const u32, 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glArrayElement(i: i32) {
-    enter("glArrayElement", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glArrayElement", &SAID) })
+    enter("glArrayElement", |cx| cx.array_element(i))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glArrayElementEXT(i: i32) {
-    enter("glArrayElementEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glArrayElementEXT", &SAID) })
+    enter("glArrayElementEXT", |cx| cx.array_element(i))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glAttachObjectARB(containerObj: u32, obj: u32) {
@@ -226,11 +226,11 @@ pub unsafe extern "C" fn glClearStencil(s: i32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glClientActiveTexture(texture: u32) {
-    enter("glClientActiveTexture", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glClientActiveTexture", &SAID) })
+    enter("glClientActiveTexture", |cx| cx.client_active_texture(texture))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glClientActiveTextureARB(texture: u32) {
-    enter("glClientActiveTextureARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glClientActiveTextureARB", &SAID) })
+    enter("glClientActiveTextureARB", |cx| cx.client_active_texture(texture))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glClipPlane(plane: u32, equation: *const f64) {
@@ -374,11 +374,11 @@ pub unsafe extern "C" fn glColorMaterial(face: u32, mode: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColorPointer(size: i32, type_: u32, stride: i32, pointer: *const c_void) {
-    enter("glColorPointer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColorPointer", &SAID) })
+    enter("glColorPointer", |cx| unsafe { commands::arrays::glColorPointer(cx, size, type_, stride, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColorPointerEXT(size: i32, type_: u32, stride: i32, count: i32, pointer: *const c_void) {
-    enter("glColorPointerEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glColorPointerEXT", &SAID) })
+    enter("glColorPointerEXT", |cx| unsafe { commands::arrays::glColorPointerEXT(cx, size, type_, stride, count, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glColorSubTable(target: u32, start: i32, count: i32, format: u32, type_: u32, data: *const c_void) {
@@ -642,7 +642,7 @@ pub unsafe extern "C" fn glDisable(cap: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDisableClientState(array: u32) {
-    enter("glDisableClientState", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDisableClientState", &SAID) })
+    enter("glDisableClientState", |cx| cx.disable_client_state(array))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDisableVertexAttribArray(index: u32) {
@@ -654,11 +654,11 @@ pub unsafe extern "C" fn glDisableVertexAttribArrayARB(index: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawArrays(mode: u32, first: i32, count: i32) {
-    enter("glDrawArrays", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDrawArrays", &SAID) })
+    enter("glDrawArrays", |cx| cx.draw_arrays(mode, first, count))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawArraysEXT(mode: u32, first: i32, count: i32) {
-    enter("glDrawArraysEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDrawArraysEXT", &SAID) })
+    enter("glDrawArraysEXT", |cx| cx.draw_arrays(mode, first, count))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawBuffer(buf: u32) {
@@ -674,7 +674,7 @@ pub unsafe extern "C" fn glDrawBuffersARB(n: i32, bufs: *const u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawElements(mode: u32, count: i32, type_: u32, indices: *const c_void) {
-    enter("glDrawElements", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDrawElements", &SAID) })
+    enter("glDrawElements", |cx| unsafe { commands::arrays::glDrawElements(cx, mode, count, type_, indices) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawPixels(width: i32, height: i32, format: u32, type_: u32, pixels: *const c_void) {
@@ -682,11 +682,11 @@ pub unsafe extern "C" fn glDrawPixels(width: i32, height: i32, format: u32, type
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawRangeElements(mode: u32, start: u32, end: u32, count: i32, type_: u32, indices: *const c_void) {
-    enter("glDrawRangeElements", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDrawRangeElements", &SAID) })
+    enter("glDrawRangeElements", |cx| unsafe { commands::arrays::glDrawRangeElements(cx, mode, start, end, count, type_, indices) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawRangeElementsEXT(mode: u32, start: u32, end: u32, count: i32, type_: u32, indices: *const c_void) {
-    enter("glDrawRangeElementsEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDrawRangeElementsEXT", &SAID) })
+    enter("glDrawRangeElementsEXT", |cx| unsafe { commands::arrays::glDrawRangeElements(cx, mode, start, end, count, type_, indices) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEdgeFlag(flag: u8) {
@@ -694,11 +694,11 @@ pub unsafe extern "C" fn glEdgeFlag(flag: u8) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEdgeFlagPointer(stride: i32, pointer: *const c_void) {
-    enter("glEdgeFlagPointer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEdgeFlagPointer", &SAID) })
+    enter("glEdgeFlagPointer", |cx| unsafe { commands::arrays::glEdgeFlagPointer(cx, stride, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEdgeFlagPointerEXT(stride: i32, count: i32, pointer: *const u8) {
-    enter("glEdgeFlagPointerEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEdgeFlagPointerEXT", &SAID) })
+    enter("glEdgeFlagPointerEXT", |cx| unsafe { commands::arrays::glEdgeFlagPointerEXT(cx, stride, count, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEdgeFlagv(flag: *const u8) {
@@ -710,7 +710,7 @@ pub unsafe extern "C" fn glEnable(cap: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEnableClientState(array: u32) {
-    enter("glEnableClientState", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glEnableClientState", &SAID) })
+    enter("glEnableClientState", |cx| cx.enable_client_state(array))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glEnableVertexAttribArray(index: u32) {
@@ -798,11 +798,11 @@ pub unsafe extern "C" fn glFlush() {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogCoordPointer(type_: u32, stride: i32, pointer: *const c_void) {
-    enter("glFogCoordPointer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogCoordPointer", &SAID) })
+    enter("glFogCoordPointer", |cx| unsafe { commands::arrays::glFogCoordPointer(cx, type_, stride, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogCoordPointerEXT(type_: u32, stride: i32, pointer: *const c_void) {
-    enter("glFogCoordPointerEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFogCoordPointerEXT", &SAID) })
+    enter("glFogCoordPointerEXT", |cx| unsafe { commands::arrays::glFogCoordPointer(cx, type_, stride, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFogCoordd(coord: f64) {
@@ -1154,11 +1154,11 @@ pub unsafe extern "C" fn glGetPixelMapusv(map: u32, values: *mut u16) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetPointerv(pname: u32, params: *mut *mut c_void) {
-    enter("glGetPointerv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetPointerv", &SAID) })
+    enter("glGetPointerv", |cx| unsafe { commands::arrays::glGetPointerv(cx, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetPointervEXT(pname: u32, params: *mut *mut c_void) {
-    enter("glGetPointervEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetPointervEXT", &SAID) })
+    enter("glGetPointervEXT", |cx| unsafe { commands::arrays::glGetPointerv(cx, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetPolygonStipple(mask: *mut u8) {
@@ -1362,11 +1362,11 @@ pub unsafe extern "C" fn glIndexMask(mask: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIndexPointer(type_: u32, stride: i32, pointer: *const c_void) {
-    enter("glIndexPointer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIndexPointer", &SAID) })
+    enter("glIndexPointer", |cx| unsafe { commands::arrays::glIndexPointer(cx, type_, stride, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIndexPointerEXT(type_: u32, stride: i32, count: i32, pointer: *const c_void) {
-    enter("glIndexPointerEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIndexPointerEXT", &SAID) })
+    enter("glIndexPointerEXT", |cx| unsafe { commands::arrays::glIndexPointerEXT(cx, type_, stride, count, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIndexd(c: f64) {
@@ -1414,7 +1414,7 @@ pub unsafe extern "C" fn glInitNames() {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glInterleavedArrays(format: u32, stride: i32, pointer: *const c_void) {
-    enter("glInterleavedArrays", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glInterleavedArrays", &SAID) })
+    enter("glInterleavedArrays", |cx| unsafe { commands::arrays::glInterleavedArrays(cx, format, stride, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIsBuffer(buffer: u32) -> u8 {
@@ -1562,7 +1562,7 @@ pub unsafe extern "C" fn glLoadTransposeMatrixfARB(m: *const f32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLockArraysEXT(first: i32, count: i32) {
-    enter("glLockArraysEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glLockArraysEXT", &SAID) })
+    enter("glLockArraysEXT", |cx| cx.lock_arrays_ext(first, count))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glLogicOp(opcode: u32) {
@@ -1658,19 +1658,19 @@ pub unsafe extern "C" fn glMultTransposeMatrixfARB(m: *const f32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiDrawArrays(mode: u32, first: *const i32, count: *const i32, drawcount: i32) {
-    enter("glMultiDrawArrays", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiDrawArrays", &SAID) })
+    enter("glMultiDrawArrays", |cx| unsafe { commands::arrays::glMultiDrawArrays(cx, mode, first, count, drawcount) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiDrawArraysEXT(mode: u32, first: *const i32, count: *const i32, primcount: i32) {
-    enter("glMultiDrawArraysEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiDrawArraysEXT", &SAID) })
+    enter("glMultiDrawArraysEXT", |cx| unsafe { commands::arrays::glMultiDrawArrays(cx, mode, first, count, primcount) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiDrawElements(mode: u32, count: *const i32, type_: u32, indices: *const *const c_void, drawcount: i32) {
-    enter("glMultiDrawElements", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiDrawElements", &SAID) })
+    enter("glMultiDrawElements", |cx| unsafe { commands::arrays::glMultiDrawElements(cx, mode, count, type_, indices, drawcount) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiDrawElementsEXT(mode: u32, count: *const i32, type_: u32, indices: *const *const c_void, primcount: i32) {
-    enter("glMultiDrawElementsEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glMultiDrawElementsEXT", &SAID) })
+    enter("glMultiDrawElementsEXT", |cx| unsafe { commands::arrays::glMultiDrawElements(cx, mode, count, type_, indices, primcount) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glMultiTexCoord1d(target: u32, s: f64) {
@@ -1974,11 +1974,11 @@ pub unsafe extern "C" fn glNormal3sv(v: *const i16) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNormalPointer(type_: u32, stride: i32, pointer: *const c_void) {
-    enter("glNormalPointer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glNormalPointer", &SAID) })
+    enter("glNormalPointer", |cx| unsafe { commands::arrays::glNormalPointer(cx, type_, stride, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glNormalPointerEXT(type_: u32, stride: i32, count: i32, pointer: *const c_void) {
-    enter("glNormalPointerEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glNormalPointerEXT", &SAID) })
+    enter("glNormalPointerEXT", |cx| unsafe { commands::arrays::glNormalPointerEXT(cx, type_, stride, count, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glOrtho(left: f64, right: f64, bottom: f64, top: f64, zNear: f64, zFar: f64) {
@@ -2078,7 +2078,7 @@ pub unsafe extern "C" fn glPopAttrib() {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPopClientAttrib() {
-    enter("glPopClientAttrib", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPopClientAttrib", &SAID) })
+    enter("glPopClientAttrib", |cx| cx.pop_client_attrib())
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPopMatrix() {
@@ -2146,7 +2146,7 @@ pub unsafe extern "C" fn glPushAttrib(mask: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPushClientAttrib(mask: u32) {
-    enter("glPushClientAttrib", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPushClientAttrib", &SAID) })
+    enter("glPushClientAttrib", |cx| cx.push_client_attrib(mask))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPushMatrix() {
@@ -2478,11 +2478,11 @@ pub unsafe extern "C" fn glSecondaryColor3usvEXT(v: *const u16) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColorPointer(size: i32, type_: u32, stride: i32, pointer: *const c_void) {
-    enter("glSecondaryColorPointer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColorPointer", &SAID) })
+    enter("glSecondaryColorPointer", |cx| unsafe { commands::arrays::glSecondaryColorPointer(cx, size, type_, stride, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSecondaryColorPointerEXT(size: i32, type_: u32, stride: i32, pointer: *const c_void) {
-    enter("glSecondaryColorPointerEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glSecondaryColorPointerEXT", &SAID) })
+    enter("glSecondaryColorPointerEXT", |cx| unsafe { commands::arrays::glSecondaryColorPointer(cx, size, type_, stride, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSelectBuffer(size: i32, buffer: *mut u32) {
@@ -2666,11 +2666,11 @@ pub unsafe extern "C" fn glTexCoord4sv(v: *const i16) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoordPointer(size: i32, type_: u32, stride: i32, pointer: *const c_void) {
-    enter("glTexCoordPointer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoordPointer", &SAID) })
+    enter("glTexCoordPointer", |cx| unsafe { commands::arrays::glTexCoordPointer(cx, size, type_, stride, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexCoordPointerEXT(size: i32, type_: u32, stride: i32, count: i32, pointer: *const c_void) {
-    enter("glTexCoordPointerEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glTexCoordPointerEXT", &SAID) })
+    enter("glTexCoordPointerEXT", |cx| unsafe { commands::arrays::glTexCoordPointerEXT(cx, size, type_, stride, count, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glTexEnvf(target: u32, pname: u32, param: f32) {
@@ -2954,7 +2954,7 @@ pub unsafe extern "C" fn glUniformMatrix4x3fv(location: i32, count: i32, transpo
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glUnlockArraysEXT() {
-    enter("glUnlockArraysEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glUnlockArraysEXT", &SAID) })
+    enter("glUnlockArraysEXT", |cx| cx.unlock_arrays_ext())
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glUnmapBuffer(target: u32) -> u8 {
@@ -3374,11 +3374,11 @@ pub unsafe extern "C" fn glVertexAttribPointerARB(index: u32, size: i32, type_: 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertexPointer(size: i32, type_: u32, stride: i32, pointer: *const c_void) {
-    enter("glVertexPointer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertexPointer", &SAID) })
+    enter("glVertexPointer", |cx| unsafe { commands::arrays::glVertexPointer(cx, size, type_, stride, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glVertexPointerEXT(size: i32, type_: u32, stride: i32, count: i32, pointer: *const c_void) {
-    enter("glVertexPointerEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glVertexPointerEXT", &SAID) })
+    enter("glVertexPointerEXT", |cx| unsafe { commands::arrays::glVertexPointerEXT(cx, size, type_, stride, count, pointer) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glViewport(x: i32, y: i32, width: i32, height: i32) {

@@ -3,6 +3,8 @@
 //! The elements that a draw uses are read once, straight into the batch. Indexed primitives refer to them where their indices lie
 //! close together; scattered indices are gathered.
 
+use std::ffi::c_void;
+
 use super::fetch::{Elements, element, fetch};
 use super::{Array, EDGE_FLAG, INDEX};
 use crate::draw::assembly::{Assembly, Part, PrimitiveType, carry};
@@ -12,25 +14,11 @@ use crate::gl::enums::*;
 use crate::gl::list::PackedRun;
 use crate::raster::layout::ATTRIBUTES;
 
-/// Indices of a DrawElements call.
-#[derive(Clone, Copy)]
-pub enum Indices<'a> {
-    /// GL_UNSIGNED_BYTE
-    U8(&'a [u8]),
-    /// GL_UNSIGNED_SHORT
-    U16(&'a [u16]),
-    /// GL_UNSIGNED_INT
-    U32(&'a [u32]),
-}
-
-impl Indices<'_> {
-    fn widen(self) -> Vec<u32> {
-        match self {
-            Indices::U8(list) => list.iter().map(|&i| u32::from(i)).collect(),
-            Indices::U16(list) => list.iter().map(|&i| u32::from(i)).collect(),
-            Indices::U32(list) => list.to_vec(),
-        }
-    }
+/// # Safety
+/// `count` indices of type `T` must be readable at `indices`, aligned or not.
+unsafe fn widen<T: Copy + Into<u32>>(indices: *const c_void, count: usize) -> Vec<u32> {
+    // SAFETY: the caller's promise.
+    (0..count).map(|i| unsafe { indices.cast::<T>().add(i).read_unaligned() }.into()).collect()
 }
 
 impl Context {
@@ -78,23 +66,51 @@ impl Context {
         }
     }
 
-    /// glDrawElements and glDrawRangeElements.
-    pub fn draw_elements(&mut self, mode: GLenum, indices: Indices) {
+    /// glDrawElements.
+    ///
+    /// # Safety
+    /// `count` indices of the type must be readable at `indices`.
+    pub unsafe fn draw_elements(&mut self, mode: GLenum, count: i32, ty: GLenum, indices: *const c_void) {
         if self.inside_begin_end() {
             return;
         }
         let Some(mode) = PrimitiveType::from_gl(mode) else {
             return self.set_error(GL_INVALID_ENUM, "glDrawElements: mode");
         };
-        if self.arrays.attributes() & 1 == 0 {
+        let Ok(count) = usize::try_from(count) else {
+            return self.set_error(GL_INVALID_VALUE, "glDrawElements: count");
+        };
+        if !matches!(ty, GL_UNSIGNED_BYTE | GL_UNSIGNED_SHORT | GL_UNSIGNED_INT) {
+            return self.set_error(GL_INVALID_ENUM, "glDrawElements: type");
+        }
+        if self.arrays.attributes() & 1 == 0 || indices.is_null() || count == 0 {
             return;
         }
-        let indices = indices.widen();
+        // SAFETY: the caller's promise.
+        let indices = unsafe {
+            match ty {
+                GL_UNSIGNED_BYTE => widen::<u8>(indices, count),
+                GL_UNSIGNED_SHORT => widen::<u16>(indices, count),
+                _ => widen::<u32>(indices, count),
+            }
+        };
         if indices.len() as u64 <= u64::from(self.recorder.chunk()) {
             self.draw_indices(mode, Part::default(), &indices);
         } else {
             self.draw_in_chunks(mode, indices.len() as u32, |k| indices[k as usize], true);
         }
+    }
+
+    /// glDrawRangeElements: the range is a hint that nothing here needs.
+    ///
+    /// # Safety
+    /// As for [`draw_elements`](Self::draw_elements).
+    pub unsafe fn draw_range_elements(&mut self, mode: GLenum, start: u32, end: u32, count: i32, ty: GLenum, indices: *const c_void) {
+        if end < start {
+            return self.set_error(GL_INVALID_VALUE, "glDrawRangeElements: end before start");
+        }
+        // SAFETY: the caller's promise.
+        unsafe { self.draw_elements(mode, count, ty, indices) };
     }
 
     /// A draw that is too long for one batch, in parts.

@@ -235,7 +235,10 @@ fn interleaved(format: GLenum) -> Option<Interleaved> {
 
 impl Context {
     /// Client state is set at once, never compiled into a list (5.4).
-    fn set_array(
+    ///
+    /// # Safety
+    /// While the array is enabled, draws may read the elements that they name through `pointer`.
+    unsafe fn set_array(
         &mut self,
         slot: usize,
         size: i32,
@@ -260,46 +263,91 @@ impl Context {
     }
 
     /// glVertexPointer.
-    pub fn vertex_pointer(&mut self, size: i32, ty: GLenum, stride: i32, pointer: *const c_void) {
-        self.set_array(slot::POSITION, size, &[2, 3, 4], ty, &[GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE], stride, pointer, "glVertexPointer");
+    ///
+    /// # Safety
+    /// While the array is enabled, draws may read the elements that they name through `pointer`.
+    pub unsafe fn vertex_pointer(&mut self, size: i32, ty: GLenum, stride: i32, pointer: *const c_void) {
+        // SAFETY: passed on.
+        unsafe {
+            self.set_array(
+                slot::POSITION,
+                size,
+                &[2, 3, 4],
+                ty,
+                &[GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE],
+                stride,
+                pointer,
+                "glVertexPointer",
+            )
+        };
     }
 
     /// glNormalPointer.
-    pub fn normal_pointer(&mut self, ty: GLenum, stride: i32, pointer: *const c_void) {
+    ///
+    /// # Safety
+    /// While the array is enabled, draws may read the elements that they name through `pointer`.
+    pub unsafe fn normal_pointer(&mut self, ty: GLenum, stride: i32, pointer: *const c_void) {
         let types = [GL_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE];
-        self.set_array(slot::NORMAL, 3, &[3], ty, &types, stride, pointer, "glNormalPointer");
+        // SAFETY: passed on.
+        unsafe { self.set_array(slot::NORMAL, 3, &[3], ty, &types, stride, pointer, "glNormalPointer") };
     }
 
     /// glColorPointer.
-    pub fn color_pointer(&mut self, size: i32, ty: GLenum, stride: i32, pointer: *const c_void) {
-        self.set_array(slot::COLOR, size, &[3, 4], ty, &COLOR_TYPES, stride, pointer, "glColorPointer");
+    ///
+    /// # Safety
+    /// While the array is enabled, draws may read the elements that they name through `pointer`.
+    pub unsafe fn color_pointer(&mut self, size: i32, ty: GLenum, stride: i32, pointer: *const c_void) {
+        // SAFETY: passed on.
+        unsafe { self.set_array(slot::COLOR, size, &[3, 4], ty, &COLOR_TYPES, stride, pointer, "glColorPointer") };
     }
 
     /// glSecondaryColorPointer.
-    pub fn secondary_color_pointer(&mut self, size: i32, ty: GLenum, stride: i32, pointer: *const c_void) {
-        self.set_array(slot::SECONDARY_COLOR, size, &[3], ty, &COLOR_TYPES, stride, pointer, "glSecondaryColorPointer");
+    ///
+    /// # Safety
+    /// While the array is enabled, draws may read the elements that they name through `pointer`.
+    pub unsafe fn secondary_color_pointer(&mut self, size: i32, ty: GLenum, stride: i32, pointer: *const c_void) {
+        // SAFETY: passed on.
+        unsafe { self.set_array(slot::SECONDARY_COLOR, size, &[3], ty, &COLOR_TYPES, stride, pointer, "glSecondaryColorPointer") };
     }
 
     /// glFogCoordPointer.
-    pub fn fog_coord_pointer(&mut self, ty: GLenum, stride: i32, pointer: *const c_void) {
-        self.set_array(slot::FOG_COORD, 1, &[1], ty, &[GL_FLOAT, GL_DOUBLE], stride, pointer, "glFogCoordPointer");
+    ///
+    /// # Safety
+    /// While the array is enabled, draws may read the elements that they name through `pointer`.
+    pub unsafe fn fog_coord_pointer(&mut self, ty: GLenum, stride: i32, pointer: *const c_void) {
+        // SAFETY: passed on.
+        unsafe { self.set_array(slot::FOG_COORD, 1, &[1], ty, &[GL_FLOAT, GL_DOUBLE], stride, pointer, "glFogCoordPointer") };
     }
 
     /// glTexCoordPointer, for the client's active texture unit.
-    pub fn tex_coord_pointer(&mut self, size: i32, ty: GLenum, stride: i32, pointer: *const c_void) {
+    ///
+    /// # Safety
+    /// While the array is enabled, draws may read the elements that they name through `pointer`.
+    pub unsafe fn tex_coord_pointer(&mut self, size: i32, ty: GLenum, stride: i32, pointer: *const c_void) {
         let slot = slot::TEX_COORD0 + self.arrays.active_texture;
-        self.set_array(slot, size, &[1, 2, 3, 4], ty, &[GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE], stride, pointer, "glTexCoordPointer");
+        // SAFETY: passed on.
+        unsafe {
+            self.set_array(slot, size, &[1, 2, 3, 4], ty, &[GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE], stride, pointer, "glTexCoordPointer")
+        };
     }
 
     /// glIndexPointer.
-    pub fn index_pointer(&mut self, ty: GLenum, stride: i32, pointer: *const c_void) {
+    ///
+    /// # Safety
+    /// While the array is enabled, draws may read the elements that they name through `pointer`.
+    pub unsafe fn index_pointer(&mut self, ty: GLenum, stride: i32, pointer: *const c_void) {
         let types = [GL_UNSIGNED_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE];
-        self.set_array(INDEX, 1, &[1], ty, &types, stride, pointer, "glIndexPointer");
+        // SAFETY: passed on.
+        unsafe { self.set_array(INDEX, 1, &[1], ty, &types, stride, pointer, "glIndexPointer") };
     }
 
     /// glEdgeFlagPointer.
-    pub fn edge_flag_pointer(&mut self, stride: i32, pointer: *const c_void) {
-        self.set_array(EDGE_FLAG, 1, &[1], GL_UNSIGNED_BYTE, &[GL_UNSIGNED_BYTE], stride, pointer, "glEdgeFlagPointer");
+    ///
+    /// # Safety
+    /// While the array is enabled, draws may read the elements that they name through `pointer`.
+    pub unsafe fn edge_flag_pointer(&mut self, stride: i32, pointer: *const c_void) {
+        // SAFETY: passed on.
+        unsafe { self.set_array(EDGE_FLAG, 1, &[1], GL_UNSIGNED_BYTE, &[GL_UNSIGNED_BYTE], stride, pointer, "glEdgeFlagPointer") };
     }
 
     /// glEnableClientState.
@@ -335,7 +383,10 @@ impl Context {
     }
 
     /// glInterleavedArrays.
-    pub fn interleaved_arrays(&mut self, format: GLenum, stride: i32, pointer: *const c_void) {
+    ///
+    /// # Safety
+    /// While the array is enabled, draws may read the elements that they name through `pointer`.
+    pub unsafe fn interleaved_arrays(&mut self, format: GLenum, stride: i32, pointer: *const c_void) {
         if self.inside_begin_end() {
             return;
         }
@@ -400,15 +451,29 @@ impl Context {
         }
     }
 
+    /// glGetPointerv; `None` after an error.
+    pub fn get_pointer(&mut self, pname: GLenum) -> Option<*const c_void> {
+        let address = |address: Option<usize>| std::ptr::without_provenance(address.unwrap_or(0));
+        let pointer = match pname {
+            GL_SELECTION_BUFFER_POINTER => Some(address(self.selection.buffer.map(|(address, _)| address))),
+            GL_FEEDBACK_BUFFER_POINTER => Some(address(self.feedback.buffer.map(|(address, _, _)| address))),
+            _ => self.arrays.pointer(pname),
+        };
+        if pointer.is_none() {
+            self.set_error(GL_INVALID_ENUM, "glGetPointerv: pname");
+        }
+        pointer
+    }
+
     /// glLockArraysEXT: a hint that arrays stay as they are; nothing follows from it here.
-    pub fn lock_arrays(&mut self, first: i32, count: i32) {
+    pub fn lock_arrays_ext(&mut self, first: i32, count: i32) {
         if !self.inside_begin_end() && (first < 0 || count <= 0) {
             self.set_error(GL_INVALID_VALUE, "glLockArraysEXT");
         }
     }
 
     /// glUnlockArraysEXT.
-    pub fn unlock_arrays(&mut self) {
+    pub fn unlock_arrays_ext(&mut self) {
         self.inside_begin_end();
     }
 }
