@@ -59,6 +59,8 @@ pub mod texture_format;
 pub mod texture_image;
 pub mod texture_object;
 pub mod texture_parameter;
+#[cfg(test)]
+mod tests;
 
 use std::sync::{Arc, Mutex, MutexGuard};
 

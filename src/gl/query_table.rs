@@ -91,6 +91,12 @@ impl Context {
             GL_MAP2_GRID_SEGMENTS => Value::ints(&s.eval.grid2_divisions),
             GL_LIST_BASE => Value::int(s.list_base),
             GL_ATTRIB_STACK_DEPTH => Value::int(self.attrib_stack.len() as i64),
+            GL_LIST_MODE => Value::int(self.list_mode()),
+            GL_LIST_INDEX => Value::int(self.list_index()),
+            GL_NAME_STACK_DEPTH => Value::int(self.selection.names.len() as i64),
+            GL_SELECTION_BUFFER_SIZE => Value::int(self.selection.buffer.map_or(0, |(_, size)| size as i64)),
+            GL_FEEDBACK_BUFFER_SIZE => Value::int(self.feedback.buffer.map_or(0, |(_, size, _)| size as i64)),
+            GL_FEEDBACK_BUFFER_TYPE => Value::int(self.feedback.buffer.map_or(GL_2D, |(_, _, kind)| kind)),
             GL_RENDER_MODE => Value::int(self.render_mode),
             _ => return None,
         })

@@ -70,6 +70,15 @@ impl Context {
         self.selection.buffer = Some((address, size as usize));
     }
 
+    /// glGetPointerv of GL_SELECTION_BUFFER_POINTER and GL_FEEDBACK_BUFFER_POINTER: the address given, 0 before.
+    pub(crate) fn result_buffer(&self, pname: GLenum) -> Option<usize> {
+        match pname {
+            GL_SELECTION_BUFFER_POINTER => Some(self.selection.buffer.map_or(0, |(address, _)| address)),
+            GL_FEEDBACK_BUFFER_POINTER => Some(self.feedback.buffer.map_or(0, |(address, _, _)| address)),
+            _ => None,
+        }
+    }
+
     /// glInitNames.
     pub fn init_names(&mut self) {
         if self.compile(|cx| cx.init_names()) || self.inside_begin_end() {
