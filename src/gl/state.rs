@@ -567,7 +567,7 @@ impl Default for State {
                 depth_bias: 0.0,
                 zoom: [1.0; 2],
                 maps: std::array::from_fn(|_| vec![0.0]),
-                read_buffer: GL_BACK,
+                read_buffer: GL_FRONT,
             },
             lighting: LightingState {
                 enabled: false,
@@ -616,7 +616,7 @@ impl Default for State {
                 index_logic_op: false,
                 color_logic_op: false,
                 logic_op: GL_COPY,
-                draw_buffer: GL_BACK,
+                draw_buffer: GL_FRONT,
                 color_mask: [true; 4],
                 index_mask: !0,
                 clear_color: [0.0; 4],
