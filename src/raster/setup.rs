@@ -233,11 +233,11 @@ fn offset_corner(mut corner: Corner, offset: f32) -> Corner {
 
 /// The z offset of a polygon: units + factor * the greatest slope (3.5.5).
 pub fn polygon_offset(state: &RasterState, p: [[f32; 3]; 3]) -> f32 {
-    let e = [p[0][0] - p[2][0], p[0][1] - p[2][1], p[0][2] - p[2][2]];
-    let f = [p[1][0] - p[2][0], p[1][1] - p[2][1], p[1][2] - p[2][2]];
-    let inv_det = 1.0 / (e[0] * f[1] - e[1] * f[0]);
-    let dzdx = ((e[1] * f[2] - e[2] * f[1]) * inv_det).abs();
-    let dzdy = ((e[2] * f[0] - e[0] * f[2]) * inv_det).abs();
+    let d01 = [0, 1, 2].map(|k| p[0][k] - p[1][k]);
+    let d20 = [0, 1, 2].map(|k| p[2][k] - p[0][k]);
+    let ooa = 1.0 / (d01[0] * d20[1] - d20[0] * d01[1]);
+    let dzdx = ((d01[2] * d20[1] - d20[2] * d01[1]) * ooa).abs();
+    let dzdy = ((d20[2] * d01[0] - d01[2] * d20[0]) * ooa).abs();
     let slope = if dzdx > dzdy { dzdx } else { dzdy };
     let offset = state.offset_units + slope * state.offset_factor;
     if offset.is_finite() { offset } else { 0.0 }
