@@ -119,8 +119,8 @@ impl Context {
         let (scissor_min, scissor_max) = self.drawable_rectangle();
         // A unit of offset is twice the step of the depth format, as llvmpipe has it.
         let unit = match self.config.surface_format().depth {
-            DepthFormat::D16 => 1.0 / 32768.0,
-            _ => 1.0 / 8388608.0,
+            DepthFormat::D16 => 2.0 / 65535.0,
+            _ => 2.0 / 16777215.0,
         };
         RasterState {
             flags,

@@ -241,7 +241,7 @@ fn row_of_pixels<S: Simd>(
     let mut mask = lanes::<S>(bits);
     let mut z = S::i(0);
     let head = (planes[0], planes[1]);
-    let z_float = at::<S>(head.0[0], head.0[1], head.0[2], x, y);
+    let z_float = S::add(at::<S>(head.0[0], head.0[1], head.0[2], x, y), S::f(head.1[2]));
     if plan.tests {
         z = depth_stencil::quantize::<S>(z_float, plan.depth_range, plan.depth_scale);
         if plan.early {

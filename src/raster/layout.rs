@@ -329,8 +329,10 @@ pub struct DepthPlane {
     pub w0: f32,
     /// 1/w: d/dx, d/dy
     pub dw: [f32; 2],
+    /// Polygon offset: added to z after the interpolation, as one more rounded sum.
+    pub offset: f32,
     /// Reserved, zero.
-    pub reserved: [f32; 2],
+    pub reserved: f32,
 }
 /// vec4 that a [`DepthPlane`] takes.
 pub const DEPTH_PLANE_VEC4: u32 = 2;

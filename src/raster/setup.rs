@@ -201,10 +201,10 @@ impl Chunk {
         let places = v.map(|c| c.screen.position);
         let offset = if offset { polygon_offset(context.state, places) } else { 0.0 };
         let basis = Basis::new(places);
-        let z = basis.plane(places.map(|p| p[2] + offset));
+        let z = basis.plane(places.map(|p| p[2]));
         let w = basis.plane(v.map(|c| c.screen.inv_w));
         self.planes.push([z[0], z[1], z[2], w[0]]);
-        self.planes.push([w[1], w[2], 0.0, 0.0]);
+        self.planes.push([w[1], w[2], offset, 0.0]);
         self.varyings(context, &basis, v, front);
         self.triangles.push(Triangle { x, y, draw: context.draw, flags, columns, rows, planes, primitive: context.primitive });
     }
