@@ -8,6 +8,7 @@
 
 pub mod arrays;
 pub mod evaluators;
+pub mod extensions;
 pub mod flush;
 pub mod get;
 pub mod lists;
