@@ -2066,7 +2066,7 @@ pub unsafe extern "C" fn glPolygonOffset(factor: f32, units: f32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPolygonOffsetEXT(factor: f32, bias: f32) {
-    enter("glPolygonOffsetEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glPolygonOffsetEXT", &SAID) })
+    enter("glPolygonOffsetEXT", |cx| unsafe { commands::extensions::glPolygonOffsetEXT(cx, factor, bias) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glPolygonStipple(mask: *const u8) {
@@ -2514,7 +2514,7 @@ pub unsafe extern "C" fn glStencilFuncSeparate(face: u32, func: u32, ref_: i32, 
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glStencilFuncSeparateATI(frontfunc: u32, backfunc: u32, ref_: i32, mask: u32) {
-    enter("glStencilFuncSeparateATI", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glStencilFuncSeparateATI", &SAID) })
+    enter("glStencilFuncSeparateATI", |cx| unsafe { commands::extensions::glStencilFuncSeparateATI(cx, frontfunc, backfunc, ref_, mask) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glStencilMask(mask: u32) {
@@ -3578,35 +3578,35 @@ pub unsafe extern "C" fn glWindowPos3svMESA(v: *const i16) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos4dMESA(x: f64, y: f64, z: f64, w: f64) {
-    enter("glWindowPos4dMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos4dMESA", &SAID) })
+    enter("glWindowPos4dMESA", |cx| unsafe { commands::extensions::glWindowPos4dMESA(cx, x, y, z, w) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos4dvMESA(v: *const f64) {
-    enter("glWindowPos4dvMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos4dvMESA", &SAID) })
+    enter("glWindowPos4dvMESA", |cx| unsafe { commands::extensions::glWindowPos4dvMESA(cx, v) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos4fMESA(x: f32, y: f32, z: f32, w: f32) {
-    enter("glWindowPos4fMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos4fMESA", &SAID) })
+    enter("glWindowPos4fMESA", |cx| unsafe { commands::extensions::glWindowPos4fMESA(cx, x, y, z, w) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos4fvMESA(v: *const f32) {
-    enter("glWindowPos4fvMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos4fvMESA", &SAID) })
+    enter("glWindowPos4fvMESA", |cx| unsafe { commands::extensions::glWindowPos4fvMESA(cx, v) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos4iMESA(x: i32, y: i32, z: i32, w: i32) {
-    enter("glWindowPos4iMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos4iMESA", &SAID) })
+    enter("glWindowPos4iMESA", |cx| unsafe { commands::extensions::glWindowPos4iMESA(cx, x, y, z, w) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos4ivMESA(v: *const i32) {
-    enter("glWindowPos4ivMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos4ivMESA", &SAID) })
+    enter("glWindowPos4ivMESA", |cx| unsafe { commands::extensions::glWindowPos4ivMESA(cx, v) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos4sMESA(x: i16, y: i16, z: i16, w: i16) {
-    enter("glWindowPos4sMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos4sMESA", &SAID) })
+    enter("glWindowPos4sMESA", |cx| unsafe { commands::extensions::glWindowPos4sMESA(cx, x, y, z, w) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glWindowPos4svMESA(v: *const i16) {
-    enter("glWindowPos4svMESA", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glWindowPos4svMESA", &SAID) })
+    enter("glWindowPos4svMESA", |cx| unsafe { commands::extensions::glWindowPos4svMESA(cx, v) })
 }
 
 /// Every command by name, sorted.
