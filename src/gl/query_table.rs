@@ -14,6 +14,12 @@ impl Context {
         if let Some(on) = self.capability_value(pname) {
             return Some(Value::bool(on));
         }
+        match pname {
+            GL_LIST_INDEX => return Some(Value::int(self.list_index())),
+            GL_LIST_MODE => return Some(Value::int(self.list_mode())),
+            GL_CLIENT_ATTRIB_STACK_DEPTH => return Some(Value::int(self.client_attrib_depth())),
+            _ => {}
+        }
         if let Some(value) = self.arrays.get(pname) {
             return Some(Value::int(value));
         }

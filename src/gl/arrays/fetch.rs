@@ -2,7 +2,8 @@
 
 use super::{Array, ComponentType};
 
-/// How a component becomes an f32 (table 2.9 for the normalised ones).
+/// How a component becomes an f32. Signed normalised ones map 0 to 0, as later versions of the specification have it (4.2,
+/// equation 2.2) and Mesa does for arrays; table 2.9 of 2.1, which has no zero, still rules glNormal3b and its like.
 trait Component: Copy {
     fn plain(self) -> f32;
     fn normalized(self) -> f32;
@@ -24,11 +25,11 @@ macro_rules! component {
     };
 }
 component! {
-    i8, c => (2.0 * c as f32 + 1.0) * (1.0 / 255.0);
+    i8, c => (c as f32 * (1.0 / 127.0)).max(-1.0);
     u8, c => c as f32 * (1.0 / 255.0);
-    i16, c => (2.0 * c as f32 + 1.0) * (1.0 / 65535.0);
+    i16, c => (c as f32 * (1.0 / 32767.0)).max(-1.0);
     u16, c => c as f32 * (1.0 / 65535.0);
-    i32, c => ((2.0 * c as f64 + 1.0) * (1.0 / 4294967295.0)) as f32;
+    i32, c => ((c as f64 * (1.0 / 2147483647.0)) as f32).max(-1.0);
     u32, c => (c as f64 * (1.0 / 4294967295.0)) as f32;
     f32, c => c;
     f64, c => c as f32;

@@ -435,6 +435,11 @@ impl Context {
         self.client_stack.push(SavedClient { stores, arrays });
     }
 
+    /// GL_CLIENT_ATTRIB_STACK_DEPTH.
+    pub(crate) fn client_attrib_depth(&self) -> u32 {
+        self.client_stack.len() as u32
+    }
+
     /// glPopClientAttrib.
     pub fn pop_client_attrib(&mut self) {
         if self.inside_begin_end() {
