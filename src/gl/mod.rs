@@ -53,14 +53,14 @@ pub mod selection;
 mod standin;
 pub mod state;
 pub mod strings;
+#[cfg(test)]
+mod tests;
 pub mod texenv;
 pub mod texgen;
 pub mod texture_format;
 pub mod texture_image;
 pub mod texture_object;
 pub mod texture_parameter;
-#[cfg(test)]
-mod tests;
 
 use std::sync::{Arc, Mutex, MutexGuard};
 

@@ -80,7 +80,14 @@ impl Builder {
         let mut batch = Batch::default();
         batch.raster_states.push(raster_state(width, height));
         batch.uniforms.push([1.0; 4]);
-        let clear = Clear { min: [0; 2], max: [width as i32, height as i32], color: [0.1, 0.2, 0.3, 1.0], color_mask: 15, depth: Some(1.0), stencil: Some((3, 255)) };
+        let clear = Clear {
+            min: [0; 2],
+            max: [width as i32, height as i32],
+            color: [0.1, 0.2, 0.3, 1.0],
+            color_mask: 15,
+            depth: Some(1.0),
+            stencil: Some((3, 255)),
+        };
         batch.steps.push(Step::Clear(clear));
         Builder { batch, programs: programs() }
     }

@@ -458,12 +458,7 @@ impl Context {
 
     /// glGetPointerv; `None` after an error.
     pub fn get_pointer(&mut self, pname: GLenum) -> Option<*const c_void> {
-        let address = |address: Option<usize>| std::ptr::without_provenance(address.unwrap_or(0));
-        let pointer = match pname {
-            GL_SELECTION_BUFFER_POINTER => Some(address(self.selection.buffer.map(|(address, _)| address))),
-            GL_FEEDBACK_BUFFER_POINTER => Some(address(self.feedback.buffer.map(|(address, _, _)| address))),
-            _ => self.arrays.pointer(pname),
-        };
+        let pointer = self.arrays.pointer(pname).or_else(|| self.result_buffer(pname).map(std::ptr::without_provenance));
         if pointer.is_none() {
             self.set_error(GL_INVALID_ENUM, "glGetPointerv: pname");
         }
