@@ -6,7 +6,9 @@
 #ifndef TEPUI_SCENE_H
 #define TEPUI_SCENE_H
 
+#define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
+#include <GL/glext.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -17,29 +17,38 @@ static void show_some(const char *when)
     text("%s: blend %d fog %d lighting %d vertex array %d", when, glIsEnabled(GL_BLEND), glIsEnabled(GL_FOG), glIsEnabled(GL_LIGHTING), glIsEnabled(GL_VERTEX_ARRAY));
 }
 
+static void set(int on)
+{
+    (on ? glEnable : glDisable)(GL_BLEND), (on ? glEnable : glDisable)(GL_FOG), (on ? glEnable : glDisable)(GL_LIGHTING);
+    (on ? glEnableClientState : glDisableClientState)(GL_VERTEX_ARRAY);
+    glColor4f(on ? 0.2f : 1, on ? 0.4f : 1, on ? 0.6f : 1, on ? 0.8f : 1), glLineWidth(on ? 3 : 1), glPointSize(on ? 4 : 1);
+    glPolygonMode(GL_FRONT, on ? GL_LINE : GL_FILL), glShadeModel(on ? GL_FLAT : GL_SMOOTH), glFogf(GL_FOG_DENSITY, on ? 0.3f : 1);
+    glDepthFunc(on ? GL_GREATER : GL_LESS), glStencilFunc(on ? GL_LESS : GL_ALWAYS, on ? 7 : 0, 3), glViewport(on, 2 * on, 64 - 30 * on, 64);
+    glMatrixMode(on ? GL_TEXTURE : GL_MODELVIEW), glBlendFunc(on ? GL_DST_COLOR : GL_ONE, on ? GL_ONE : GL_ZERO), glAlphaFunc(GL_LESS, on ? 0.25f : 0);
+    glListBase(on ? 12 : 0), glScissor(3 * on, 4 * on, 64, 64), glPixelZoom(1 + (GLfloat)on, 1 + 2 * (GLfloat)on), glHint(GL_FOG_HINT, on ? GL_NICEST : GL_DONT_CARE);
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, on), glClearColor(0.1f, 0.2f, 0.3f, on ? 0.4f : 1), glBindTexture(GL_TEXTURE_2D, on ? 3 : 0), glMapGrid1f(on ? 7 : 1, 0, 1);
+    glClearAccum(0.1f, 0.2f, 0.3f, on ? 0.4f : 0), glPixelStorei(GL_UNPACK_ROW_LENGTH, on ? 5 : 0);
+}
+
 SCENE(attribute_stacks, EXACT, 64, 64, TEXT_ONLY, "attribute stacks: every group saved and restored")
 {
     static const GLbitfield groups[] = {GL_CURRENT_BIT, GL_POINT_BIT, GL_LINE_BIT, GL_POLYGON_BIT, GL_LIGHTING_BIT, GL_FOG_BIT, GL_DEPTH_BUFFER_BIT, GL_ACCUM_BUFFER_BIT, GL_STENCIL_BUFFER_BIT,
         GL_VIEWPORT_BIT, GL_TRANSFORM_BIT, GL_ENABLE_BIT, GL_COLOR_BUFFER_BIT, GL_HINT_BIT, GL_EVAL_BIT, GL_LIST_BIT, GL_TEXTURE_BIT, GL_SCISSOR_BIT, GL_PIXEL_MODE_BIT, GL_ALL_ATTRIB_BITS};
-    static const GLint zero[] = {0};
     UNUSED_SIZE;
     for (size_t g = 0; g < sizeof groups / sizeof *groups; g++) {
         char when[32];
-        glPushAttrib(GL_ALL_ATTRIB_BITS);
-        glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+        set(0);
+        glPushClientAttrib(g & 1 ? GL_CLIENT_ALL_ATTRIB_BITS : GL_CLIENT_PIXEL_STORE_BIT);
         glPushAttrib(groups[g]);
-        glColor4f(0.2f, 0.4f, 0.6f, 0.8f), glLineWidth(3), glPointSize(4), glPolygonMode(GL_FRONT, GL_LINE), glShadeModel(GL_FLAT), glFogf(GL_FOG_DENSITY, 0.3f), glDepthFunc(GL_GREATER);
-        glStencilFunc(GL_LESS, 7, 3), glViewport(1, 2, 30, 40), glMatrixMode(GL_TEXTURE), glBlendFunc(GL_DST_COLOR, GL_ONE), glAlphaFunc(GL_LESS, 0.25f), glListBase(12), glScissor(3, 4, 5, 6);
-        glPixelZoom(2, 3), glHint(GL_FOG_HINT, GL_NICEST), glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1), glClearColor(0.1f, 0.2f, 0.3f, 0.4f), glBindTexture(GL_TEXTURE_2D, 3), glMapGrid1f(7, 0, 1);
-        glClearAccum(0.1f, 0.2f, 0.3f, 0.4f), glPixelStorei(GL_UNPACK_ROW_LENGTH, 5), glEnable(GL_BLEND), glEnable(GL_FOG), glEnable(GL_LIGHTING), glEnableClientState(GL_VERTEX_ARRAY);
+        set(1);
         glPopAttrib();
         snprintf(when, sizeof when, "%05x", groups[g]);
         show_some(when);
         glPopClientAttrib();
-        glPopAttrib();
-        glMatrixMode(GL_MODELVIEW);
+        snprintf(when, sizeof when, "%05x client", groups[g]);
+        show_some(when);
     }
-    show_some("restored");
+    set(0);
     for (int i = 0; i < 20; i++) glPushAttrib(GL_LINE_BIT);
     text_error("twenty pushes");
     GLint depth;
@@ -47,5 +56,4 @@ SCENE(attribute_stacks, EXACT, 64, 64, TEXT_ONLY, "attribute stacks: every group
     text("depth %d", depth);
     for (int i = 0; i < 20; i++) glPopAttrib();
     text_error("twenty pops");
-    (void)zero;
 }

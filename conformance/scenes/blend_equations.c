@@ -1,8 +1,8 @@
 /* Proves: add, subtract, reverse subtract, minimum, maximum, and the constant colour factors. */
 #include "../scene.h"
 
-#define GL_GLEXT_PROTOTYPES
-#include <GL/glext.h>
+
+
 
 SCENE(blend_equations, EXACT, 256, 256, 0, "blend equations and constant colours")
 {

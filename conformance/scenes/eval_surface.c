@@ -18,12 +18,10 @@ SCENE(eval_surface, SHADED, 256, 256, 0, "two-dimensional evaluators with automa
     glEnable(GL_LIGHTING);
     glEnable(GL_LIGHT0);
     glEnable(GL_DEPTH_TEST);
-    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
     glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, red);
     glMapGrid2f(20, 0, 1, 20, 0, 1);
     glEvalMesh2(GL_FILL, 0, 20, 0, 20);
     glDisable(GL_LIGHTING);
     glDisable(GL_MAP2_VERTEX_3);
     glDisable(GL_AUTO_NORMAL);
-    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 0);
 }

@@ -17,7 +17,7 @@ SCENE(pixel_maps, OTHER, 256, 256, 0, "pixel maps: component to component, index
     glGetIntegerv(GL_PIXEL_MAP_R_TO_R_SIZE, &size);
     glGetPixelMapfv(GL_PIXEL_MAP_R_TO_R, back);
     text("%d %.4f %.4f", size, back[0], back[7]);
-    glPixelMapfv(GL_PIXEL_MAP_I_TO_I, 3, curve);
+    glPixelMapfv(GL_PIXEL_MAP_S_TO_S, 3, curve);
     text_error("an index map of three");
     glPixelTransferi(GL_MAP_COLOR, GL_TRUE);
     glRasterPos2i(10, 10);

@@ -4,7 +4,7 @@
 
 SCENE(pixel_store, OTHER, 256, 256, 0, "pixel store: alignment, row length, skips, swapped bytes")
 {
-    unsigned char *image = noise(64, 64), packed[64 * 8];
+    unsigned char *image = noise(128, 64), packed[64 * 8];
     pixels(width, height);
     for (int a = 1, i = 0; a <= 8; a *= 2, i++) {
         glPixelStorei(GL_UNPACK_ALIGNMENT, a);

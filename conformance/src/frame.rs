@@ -128,7 +128,7 @@ pub fn compare(reference: &Frame, test: &Frame) -> Difference {
         d.text += 1;
         d.text_sample.push((format!("left at the end: {}", reference.error), format!("left at the end: {}", test.error)));
     }
-    d.text_sample.truncate(12);
+    d.text_sample.truncate(40);
     d
 }
 
