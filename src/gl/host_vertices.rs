@@ -55,7 +55,9 @@ impl Context {
         let dirty = std::mem::replace(&mut self.dirty, super::dirty::ALL);
         let derived_topology = self.derived_topology;
         std::mem::swap(&mut self.recorder, &mut host.recorder);
+        self.shading_on_host = true;
         self.validate(topology);
+        self.shading_on_host = false;
         self.recorder.draw_run(PrimitiveType::Points, Part::default(), QuadSplit::Diagonal02, run, &self.state.current.attributes);
         let batch = self.recorder.take();
         std::mem::swap(&mut self.recorder, &mut host.recorder);

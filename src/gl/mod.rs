@@ -22,6 +22,7 @@ pub mod clear;
 pub mod clip_plane;
 pub mod copy_pixels;
 pub mod copy_texture;
+mod derived;
 pub(crate) mod derived_states;
 pub mod draw_pixels;
 pub mod draws;
@@ -99,6 +100,9 @@ pub struct Context {
     pub(crate) derived_topology: u32,
     pub(crate) arrays: arrays::Arrays,
     client_stack: Vec<arrays::SavedClient>,
+    pub(crate) derived: derived::Derived,
+    /// The next derivation is for vertices shaded on the host: all outputs are wanted.
+    pub(crate) shading_on_host: bool,
     pub(crate) immediate: Immediate,
     pub(crate) lists: list::ListState,
     maps: evaluators::Maps,
@@ -199,6 +203,8 @@ impl Context {
             derived_topology: !0,
             arrays: arrays::Arrays::default(),
             client_stack: Vec::new(),
+            derived: derived::Derived::default(),
+            shading_on_host: false,
             immediate: Immediate::default(),
             lists: list::ListState::default(),
             maps: evaluators::Maps::default(),

@@ -1,0 +1,131 @@
+//! Fragment programs: texturing, colour sum, fog (3.8 to 3.10), and the sources of pixel rectangles and bitmaps.
+
+use std::sync::Arc;
+
+use super::FixedProgram;
+use super::slots::Slot;
+use super::text::Text;
+use crate::program::{Input, Interface, Output, Program, Shortcut, Stage, Varying};
+use crate::raster::layout::interpolation;
+
+/// Fog equation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Fog {
+    #[default]
+    None,
+    Linear,
+    Exp,
+    Exp2,
+}
+
+/// Where a fragment's colour starts from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Source {
+    /// The primary colour.
+    #[default]
+    Color,
+}
+
+/// What a fragment program does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct FragmentKey {
+    /// Where the colour comes from.
+    pub source: Source,
+    /// Flat shading.
+    pub flat: bool,
+    /// Back faces have colours of their own.
+    pub two_side: bool,
+    /// The secondary colour is added.
+    pub color_sum: bool,
+    /// Fog.
+    pub fog: Fog,
+}
+
+/// A fragment program under construction.
+struct Build {
+    t: Text,
+    inputs: Vec<Input>,
+    varyings: Vec<Varying>,
+    key: FragmentKey,
+}
+
+impl Build {
+    /// The expression of a varying.
+    fn varying(&mut self, output: Output) -> String {
+        let k = self.varying_index(output);
+        self.input(Input::Varying(k))
+    }
+
+    fn varying_index(&mut self, output: Output) -> u8 {
+        if let Some(k) = self.varyings.iter().position(|v| v.front == output) {
+            return k as u8;
+        }
+        let back = match output {
+            Output::FrontColor if self.key.two_side => Output::BackColor,
+            Output::FrontSecondary if self.key.two_side => Output::BackSecondary,
+            other => other,
+        };
+        let flat = self.key.flat && matches!(output, Output::FrontColor | Output::FrontSecondary);
+        let interpolation = if flat { interpolation::FLAT } else { interpolation::PERSPECTIVE };
+        self.varyings.push(Varying { front: output, back, interpolation });
+        self.varyings.len() as u8 - 1
+    }
+
+    fn input(&mut self, input: Input) -> String {
+        let k = self.inputs.iter().position(|i| *i == input).unwrap_or_else(|| {
+            self.inputs.push(input);
+            self.inputs.len() - 1
+        });
+        format!("in.i{k}")
+    }
+}
+
+/// Writes the program of a key.
+pub(super) fn generate(key: &FragmentKey) -> FixedProgram {
+    let mut b = Build { t: Text::default(), inputs: Vec::new(), varyings: Vec::new(), key: *key };
+    let color = b.varying(Output::FrontColor);
+    b.t.line(format!("var color = {color};"));
+    if key.color_sum {
+        let secondary = b.varying(Output::FrontSecondary);
+        b.t.line(format!("color = vec4<f32>(saturate(color.rgb + {secondary}.rgb), color.a);"));
+    }
+    fog(&mut b);
+    b.t.line("out.color = color;");
+    finish(b)
+}
+
+/// Fog (3.10): C = f C_r + (1 - f) C_f.
+fn fog(b: &mut Build) {
+    if b.key.fog == Fog::None {
+        return;
+    }
+    let c = format!("{}.x", b.varying(Output::Fog));
+    let (p, color) = (b.t.slot(Slot::FogParameters), b.t.slot(Slot::FogColor));
+    let factor = match b.key.fog {
+        Fog::Linear => format!("{c} * {p}.x + {p}.y"),
+        Fog::Exp => format!("exp2({c} * {p}.x)"),
+        _ => format!("exp2(-(({c} * {p}.x) * ({c} * {p}.x)))"),
+    };
+    b.t.line(format!("let fog = saturate({factor});"));
+    b.t.line(format!("color = vec4<f32>(mix({color}.rgb, color.rgb, vec3<f32>(fog)), color.a);"));
+}
+
+fn finish(b: Build) -> FixedProgram {
+    let inputs = (0..b.inputs.len()).map(|k| format!("i{k}: vec4<f32>"));
+    let plain = b.key.source == Source::Color && !b.key.color_sum && b.key.fog == Fog::None;
+    let shortcut = if plain { Shortcut::Varying(0) } else { Shortcut::None };
+    let wgsl = format!(
+        "{}{}fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut {{\n    var out: FragmentOut;\n{}    return out;\n}}\n",
+        Text::structure("FragmentIn", inputs),
+        Text::structure("FragmentOut", ["color: vec4<f32>".to_string()]),
+        b.t.body,
+    );
+    let interface =
+        Interface { inputs: b.inputs, varyings: b.varyings, uniform_vec4: b.t.slots.len() as u32, shortcut, ..Interface::default() };
+    let program = match Program::new(Stage::Fragment, wgsl, interface) {
+        Ok(program) => program,
+        Err(e) => unreachable!("a generated fragment program does not validate: {e}"),
+    };
+    FixedProgram { program: Arc::new(program), slots: b.t.slots }
+}
