@@ -125,7 +125,7 @@ impl Context {
     }
 
     fn slot_values(&self) -> SlotValues {
-        SlotValues { mvp: *self.projection.top() * *self.modelview.top() }
+        SlotValues { mvp: super::matrix::multiply(self.projection.top(), self.modelview.top()) }
     }
 }
 

@@ -51,7 +51,6 @@ pub mod query_table;
 pub mod raster_position;
 pub mod read_pixels;
 pub mod selection;
-mod standin;
 pub mod state;
 pub mod strings;
 #[cfg(test)]
