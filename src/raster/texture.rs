@@ -1,15 +1,466 @@
-//! Texture sampling, the intrinsic `texture_sample` of programs.
+//! Texture sampling (3.8.7, 3.8.8), the intrinsic `texture_sample` of programs: eight lanes at a time, exact f32 filtering.
+//!
+//! The level of detail is `log2(max(|d/dx|, |d/dy|))` in texels, the ideal function of equation 3.20.
 
-use crate::draw::texture::TextureBinding;
-use crate::program::lanes::{LANES, Simd};
+use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
+use crate::program::lanes::{LANES, Simd, math};
+
+type Lanes = [f32; LANES];
+type Indices = [i32; LANES];
+
+/// Index of a texel that is the border colour.
+const BORDER: i32 = -1;
 
 /// Samples one group of lanes: `coord` is s, t, r and an unused fourth; `gradients` the derivatives of s, t, r in x and y
 /// of the raster, absent where no level of detail is wanted.
-pub fn sample_group(
-    _binding: &TextureBinding,
-    _coord: &[[f32; LANES]; 4],
-    _gradients: Option<[&[[f32; LANES]; 3]; 2]>,
-    _level: Simd,
-) -> [[f32; LANES]; 4] {
-    [[1.0; LANES]; 4]
+pub fn sample_group(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>, level: Simd) -> [Lanes; 4] {
+    match level {
+        Simd::Scalar => sample(binding, coord, gradients),
+        // SAFETY: `Simd::Avx2` exists only where the processor has AVX2 and FMA.
+        #[cfg(target_arch = "x86_64")]
+        Simd::Avx2 => unsafe { sample_avx2(binding, coord, gradients) },
+        #[cfg(not(target_arch = "x86_64"))]
+        Simd::Avx2 => sample(binding, coord, gradients),
+    }
+}
+
+/// # Safety
+/// The processor must have AVX2 and FMA.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma")]
+unsafe fn sample_avx2(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
+    sample(binding, coord, gradients)
+}
+
+/// How a lane is filtered: from which level, with which filter, and how far towards the next level.
+#[derive(Clone, Copy, PartialEq)]
+struct Choice {
+    level: usize,
+    linear: bool,
+    /// 0 where one level is enough.
+    blend: f32,
+}
+
+#[inline(always)]
+fn sample(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
+    let (image, sampler) = (&*binding.image, &binding.sampler);
+    let Some(base) = image.levels.first() else { return [[0.0; LANES], [0.0; LANES], [0.0; LANES], [1.0; LANES]] };
+    let position = match image.kind {
+        TextureKind::Cube => cube_position(coord),
+        _ => Position { s: coord[0], t: coord[1], r: coord[2], face: [0; LANES] },
+    };
+    let Some(gradients) = gradients else {
+        return sample_level(image, sampler, base, sampler.mag_linear, &position);
+    };
+    let lambda = level_of_detail(image, sampler, base, coord, gradients, &position);
+    let choices = lambda.map(|lambda| choose(image, sampler, lambda));
+    let first = choices[0];
+    if choices.iter().all(|c| (c.level, c.linear) == (first.level, first.linear)) {
+        return sample_choice(image, sampler, first, choices.map(|c| c.blend), &position);
+    }
+    // Lanes that disagree (a quad each): every choice samples all lanes, and the lanes that made it take the result.
+    let mut result = [[0.0; LANES]; 4];
+    let mut done = [false; LANES];
+    for lane in 0..LANES {
+        if done[lane] {
+            continue;
+        }
+        let choice = choices[lane];
+        let texel = sample_choice(image, sampler, choice, choices.map(|c| c.blend), &position);
+        for other in lane..LANES {
+            if (choices[other].level, choices[other].linear) == (choice.level, choice.linear) {
+                done[other] = true;
+                for c in 0..4 {
+                    result[c][other] = texel[c][other];
+                }
+            }
+        }
+    }
+    result
+}
+
+/// Where the lanes sample: coordinates on the image (or on a cube's face).
+struct Position {
+    s: Lanes,
+    t: Lanes,
+    r: Lanes,
+    face: Indices,
+}
+
+/// Table 3.19: the face of the largest component, and the coordinates on it.
+#[inline(always)]
+fn cube_position(coord: &[Lanes; 4]) -> Position {
+    let mut p = Position { s: [0.0; LANES], t: [0.0; LANES], r: [0.0; LANES], face: [0; LANES] };
+    for lane in 0..LANES {
+        let direction = [coord[0][lane], coord[1][lane], coord[2][lane]];
+        let face = major_face(direction);
+        let [s, t] = on_face(face, direction);
+        (p.face[lane], p.s[lane], p.t[lane]) = (face as i32, s, t);
+    }
+    p
+}
+
+fn major_face([x, y, z]: [f32; 3]) -> usize {
+    let (ax, ay, az) = (x.abs(), y.abs(), z.abs());
+    if ax >= ay && ax >= az {
+        usize::from(x < 0.0)
+    } else if ay >= az {
+        2 + usize::from(y < 0.0)
+    } else {
+        4 + usize::from(z < 0.0)
+    }
+}
+
+fn on_face(face: usize, [x, y, z]: [f32; 3]) -> [f32; 2] {
+    let (sc, tc, ma) = match face {
+        0 => (-z, -y, x),
+        1 => (z, -y, x),
+        2 => (x, z, y),
+        3 => (x, -z, y),
+        4 => (x, -y, z),
+        _ => (-x, -y, z),
+    };
+    [0.5 * (sc / ma.abs() + 1.0), 0.5 * (tc / ma.abs() + 1.0)]
+}
+
+/// λ of every lane, biased and clamped (3.8.8).
+#[inline(always)]
+fn level_of_detail(
+    image: &TextureImage,
+    sampler: &Sampler,
+    base: &TextureLevel,
+    coord: &[Lanes; 4],
+    gradients: [&[Lanes; 3]; 2],
+    position: &Position,
+) -> Lanes {
+    let size = [base.width as f32, base.height as f32, base.depth as f32];
+    let mut lambda = [0.0; LANES];
+    for lane in 0..LANES {
+        let mut rho2 = 0.0f32;
+        for gradient in gradients {
+            let mut d = [gradient[0][lane] * size[0], gradient[1][lane] * size[1], gradient[2][lane] * size[2]];
+            match image.kind {
+                TextureKind::D1 => (d[1], d[2]) = (0.0, 0.0),
+                TextureKind::D2 => d[2] = 0.0,
+                TextureKind::D3 => {}
+                TextureKind::Cube => {
+                    let next = [0, 1, 2].map(|c| coord[c][lane] + gradient[c][lane]);
+                    let [s, t] = on_face(position.face[lane] as usize, next);
+                    d = [(s - position.s[lane]) * size[0], (t - position.t[lane]) * size[1], 0.0];
+                }
+            }
+            rho2 = math::max(rho2, d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        }
+        let biased = 0.5 * math::log2(rho2) + sampler.lod_bias;
+        lambda[lane] = math::min(math::max(biased, sampler.lod_range[0]), sampler.lod_range[1]);
+    }
+    lambda
+}
+
+/// Magnification or minification, and which levels (3.8.8, 3.8.9).
+#[inline(always)]
+fn choose(image: &TextureImage, sampler: &Sampler, lambda: f32) -> Choice {
+    let last = image.levels.len() - 1;
+    // The switch-over point c: 0.5 where magnification is linear and minification takes the nearest texel of a mipmap.
+    let switch = if sampler.mag_linear && !sampler.min_linear && sampler.mip_linear.is_some() { 0.5 } else { 0.0 };
+    // `!(>)`: a NaN magnifies.
+    if !(lambda > switch) {
+        return Choice { level: 0, linear: sampler.mag_linear, blend: 0.0 };
+    }
+    let linear = sampler.min_linear;
+    match sampler.mip_linear {
+        None => Choice { level: 0, linear, blend: 0.0 },
+        Some(false) => {
+            let nearest = if lambda <= 0.5 { 0.0 } else { (lambda + 0.5).ceil() - 1.0 };
+            Choice { level: (nearest as usize).min(last), linear, blend: 0.0 }
+        }
+        Some(true) => {
+            let floor = lambda.floor();
+            let level = (floor as usize).min(last);
+            Choice { level, linear, blend: if level < last { lambda - floor } else { 0.0 } }
+        }
+    }
+}
+
+/// Samples all lanes at one choice's level, and blends with the next level where a lane asks for it.
+#[inline(always)]
+fn sample_choice(image: &TextureImage, sampler: &Sampler, choice: Choice, blend: Lanes, position: &Position) -> [Lanes; 4] {
+    let mut near = sample_level(image, sampler, &image.levels[choice.level], choice.linear, position);
+    if let Some(next) = image.levels.get(choice.level + 1)
+        && blend.iter().any(|b| *b != 0.0)
+    {
+        let far = sample_level(image, sampler, next, choice.linear, position);
+        for c in 0..4 {
+            near[c] = lerp(&near[c], &far[c], &blend);
+        }
+    }
+    near
+}
+
+#[inline(always)]
+fn lerp(a: &Lanes, b: &Lanes, t: &Lanes) -> Lanes {
+    std::array::from_fn(|i| a[i] + t[i] * (b[i] - a[i]))
+}
+
+/// Samples one level with one filter.
+#[inline(always)]
+fn sample_level(image: &TextureImage, sampler: &Sampler, level: &TextureLevel, linear: bool, p: &Position) -> [Lanes; 4] {
+    let (w, h, d) = (level.width as i32, level.height as i32, level.depth as i32);
+    let flat = image.kind == TextureKind::D1;
+    let fetch = Fetch { level, format: image.format, border: &sampler.border };
+    if !linear {
+        let x = nearest(&p.s, w, sampler.wrap[0]);
+        let y = if flat { [0; LANES] } else { nearest(&p.t, h, sampler.wrap[1]) };
+        let z = if image.kind == TextureKind::D3 { nearest(&p.r, d, sampler.wrap[2]) } else { p.face };
+        return fetch.scaled(fetch.texels(&x, &y, &z));
+    }
+    let (x, fx) = linear_axis(&p.s, w, sampler.wrap[0]);
+    if flat {
+        let y = [0; LANES];
+        return fetch.scaled(blend4(fetch.texels(&x[0], &y, &y), fetch.texels(&x[1], &y, &y), &fx));
+    }
+    let (y, fy) = linear_axis(&p.t, h, sampler.wrap[1]);
+    let plane = |z: &Indices| {
+        let low = blend4(fetch.texels(&x[0], &y[0], z), fetch.texels(&x[1], &y[0], z), &fx);
+        let high = blend4(fetch.texels(&x[0], &y[1], z), fetch.texels(&x[1], &y[1], z), &fx);
+        blend4(low, high, &fy)
+    };
+    if image.kind != TextureKind::D3 {
+        return fetch.scaled(plane(&p.face));
+    }
+    let (z, fz) = linear_axis(&p.r, d, sampler.wrap[2]);
+    fetch.scaled(blend4(plane(&z[0]), plane(&z[1]), &fz))
+}
+
+#[inline(always)]
+fn blend4(a: [Lanes; 4], b: [Lanes; 4], t: &Lanes) -> [Lanes; 4] {
+    [lerp(&a[0], &b[0], t), lerp(&a[1], &b[1], t), lerp(&a[2], &b[2], t), lerp(&a[3], &b[3], t)]
+}
+
+/// Fraction of a coordinate in its period, mirrored in every other one.
+#[inline(always)]
+fn mirrored(c: f32) -> f32 {
+    let whole = c.floor();
+    let odd = whole - 2.0 * (whole * 0.5).floor() != 0.0;
+    let part = c - whole;
+    if odd { 1.0 - part } else { part }
+}
+
+/// Index of the nearest texel, or [`BORDER`] (table 3.18 and the wrap modes of 3.8.7).
+#[inline(always)]
+fn nearest(coord: &Lanes, size: i32, wrap: Wrap) -> Indices {
+    let n = size as f32;
+    match wrap {
+        // The fraction of a tiny negative number rounds to 1.
+        Wrap::Repeat => coord.map(|c| (((c - c.floor()) * n).floor() as i32).clamp(0, size - 1)),
+        Wrap::Clamp | Wrap::ClampToEdge => coord.map(|c| ((c * n).floor() as i32).clamp(0, size - 1)),
+        Wrap::ClampToBorder => coord.map(|c| {
+            let i = (c * n).floor() as i32;
+            if i < 0 || i >= size { BORDER } else { i }
+        }),
+        Wrap::MirroredRepeat => coord.map(|c| ((mirrored(c) * n).floor() as i32).clamp(0, size - 1)),
+    }
+}
+
+/// Indices of the two texels around a coordinate, and the weight of the second.
+#[inline(always)]
+fn linear_axis(coord: &Lanes, size: i32, wrap: Wrap) -> ([Indices; 2], Lanes) {
+    let n = size as f32;
+    let u = match wrap {
+        Wrap::Repeat => coord.map(|c| (c - c.floor()) * n - 0.5),
+        Wrap::Clamp => coord.map(|c| math::min(math::max(c, 0.0), 1.0) * n - 0.5),
+        Wrap::ClampToEdge => coord.map(|c| math::min(math::max(c * n, 0.5), n - 0.5) - 0.5),
+        Wrap::ClampToBorder => coord.map(|c| math::min(math::max(c * n, -0.5), n + 0.5) - 0.5),
+        Wrap::MirroredRepeat => coord.map(|c| math::min(math::max(mirrored(c) * n, 0.5), n - 0.5) - 0.5),
+    };
+    let floor = u.map(f32::floor);
+    let weight = std::array::from_fn(|i| u[i] - floor[i]);
+    let low = floor.map(|f| f as i32);
+    let indices = match wrap {
+        Wrap::Repeat => {
+            [low.map(|i| if i < 0 { size - 1 } else { i.min(size - 1) }), low.map(|i| if i + 1 >= size { 0 } else { (i + 1).max(0) })]
+        }
+        Wrap::ClampToEdge | Wrap::MirroredRepeat => {
+            [low.map(|i| i.clamp(0, size - 1)), low.map(|i| (i.saturating_add(1)).clamp(0, size - 1))]
+        }
+        Wrap::Clamp | Wrap::ClampToBorder => {
+            let or_border = |i: i32| if i < 0 || i >= size { BORDER } else { i };
+            [low.map(or_border), low.map(|i| or_border(i.saturating_add(1)))]
+        }
+    };
+    (indices, weight)
+}
+
+/// Fetches texels of a level; components of 8 bits count from 0 to 255 until [`Fetch::scaled`].
+struct Fetch<'a> {
+    level: &'a TextureLevel,
+    format: TexelFormat,
+    border: &'a [f32; 4],
+}
+
+impl Fetch<'_> {
+    #[inline(always)]
+    fn texels(&self, x: &Indices, y: &Indices, z: &Indices) -> [Lanes; 4] {
+        let (w, h) = (self.level.width as i32, self.level.height as i32);
+        let at: [usize; LANES] = std::array::from_fn(|i| ((z[i] * h + y[i]) * w + x[i]).max(0) as usize);
+        let mut texel = match self.format {
+            TexelFormat::Rgba8 => {
+                let words: [u32; LANES] = at.map(|i| self.level.texels.get(i).copied().unwrap_or(0));
+                [0, 8, 16, 24].map(|shift| words.map(|word| (word >> shift & 255) as i32 as f32))
+            }
+            TexelFormat::Rgba32f => {
+                [0, 1, 2, 3].map(|c| at.map(|i| f32::from_bits(self.level.texels.get(4 * i + c).copied().unwrap_or(0))))
+            }
+        };
+        let outside = |i: usize| (x[i] | y[i] | z[i]) < 0;
+        if (0..LANES).any(outside) {
+            let scale = if self.format == TexelFormat::Rgba8 { 255.0 } else { 1.0 };
+            for lane in (0..LANES).filter(|&i| outside(i)) {
+                for c in 0..4 {
+                    texel[c][lane] = self.border[c] * scale;
+                }
+            }
+        }
+        texel
+    }
+
+    #[inline(always)]
+    fn scaled(&self, texel: [Lanes; 4]) -> [Lanes; 4] {
+        match self.format {
+            TexelFormat::Rgba8 => texel.map(|component| component.map(|v| v * (1.0 / 255.0))),
+            TexelFormat::Rgba32f => texel,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::lanes::avx2_available;
+    use std::sync::Arc;
+
+    fn binding(kind: TextureKind, sizes: &[(u32, u32)], wrap: Wrap) -> TextureBinding {
+        let levels = sizes
+            .iter()
+            .enumerate()
+            .map(|(l, &(width, height))| {
+                let texels = (0..width * height).map(|i| (i * 37 + l as u32 * 91) & 255 | (i * 11 & 255) << 8 | 0xff00_0000).collect();
+                TextureLevel { width, height, depth: 1, texels: Arc::new(texels) }
+            })
+            .collect();
+        let image = Arc::new(TextureImage { id: 1, kind, format: TexelFormat::Rgba8, levels });
+        let sampler = Sampler {
+            wrap: [wrap; 3],
+            mag_linear: false,
+            min_linear: false,
+            mip_linear: None,
+            lod_range: [-1000.0, 1000.0],
+            lod_bias: 0.0,
+            border: [0.25, 0.5, 0.75, 0.125],
+        };
+        TextureBinding { image, sampler }
+    }
+
+    fn at(binding: &TextureBinding, s: f32, t: f32) -> [f32; 4] {
+        let texel = sample_group(binding, &[[s; LANES], [t; LANES], [0.0; LANES], [0.0; LANES]], None, Simd::Scalar);
+        [0, 1, 2, 3].map(|c| texel[c][3])
+    }
+
+    fn red(binding: &TextureBinding, x: u32, y: u32) -> f32 {
+        let level = &binding.image.levels[0];
+        (level.texels[(y * level.width + x) as usize] & 255) as f32 / 255.0
+    }
+
+    #[test]
+    fn a_texel_centre_gives_the_texel_under_every_filter_and_wrap() {
+        for wrap in [Wrap::Repeat, Wrap::Clamp, Wrap::ClampToEdge, Wrap::ClampToBorder, Wrap::MirroredRepeat] {
+            for linear in [false, true] {
+                let mut b = binding(TextureKind::D2, &[(8, 4)], wrap);
+                b.sampler.mag_linear = linear;
+                for (x, y) in [(0, 0), (7, 3), (3, 2)] {
+                    let got = at(&b, (x as f32 + 0.5) / 8.0, (y as f32 + 0.5) / 4.0);
+                    assert!((got[0] - red(&b, x, y)).abs() < 1e-6, "{wrap:?} linear {linear} at {x}, {y}: {got:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn coordinates_outside_wrap_as_the_mode_says() {
+        let x = |wrap, s: f32| {
+            let b = binding(TextureKind::D2, &[(8, 1)], wrap);
+            (at(&b, s, 0.5), b)
+        };
+        let (got, b) = x(Wrap::Repeat, -0.0625);
+        assert!((got[0] - red(&b, 7, 0)).abs() < 1e-6);
+        let (got, b) = x(Wrap::ClampToEdge, 1.7);
+        assert!((got[0] - red(&b, 7, 0)).abs() < 1e-6);
+        let (got, b) = x(Wrap::MirroredRepeat, 1.0625);
+        assert!((got[0] - red(&b, 7, 0)).abs() < 1e-6);
+        let border = x(Wrap::ClampToBorder, 1.01).0;
+        assert!(border.iter().zip([0.25, 0.5, 0.75, 0.125]).all(|(a, b)| (a - b).abs() < 1e-6), "{border:?}");
+    }
+
+    #[test]
+    fn gl_clamp_blends_with_the_border_at_the_edge() {
+        let mut b = binding(TextureKind::D2, &[(8, 8)], Wrap::Clamp);
+        b.sampler.mag_linear = true;
+        let got = at(&b, 0.0, 0.5 / 8.0);
+        assert!((got[0] - 0.5 * (red(&b, 0, 0) + 0.25)).abs() < 1e-6, "{got:?}");
+    }
+
+    #[test]
+    fn trilinear_filtering_blends_the_levels_around_lambda() {
+        let mut b = binding(TextureKind::D2, &[(4, 4), (2, 2), (1, 1)], Wrap::Repeat);
+        b.sampler.mip_linear = Some(true);
+        let coord = [[0.1; LANES], [0.1; LANES], [0.0; LANES], [0.0; LANES]];
+        let slope = 2.0f32.powf(0.5) / 4.0;
+        let (dx, dy) = ([[slope; LANES], [0.0; LANES], [0.0; LANES]], [[0.0; LANES]; 3]);
+        let got = sample_group(&b, &coord, Some([&dx, &dy]), Simd::Scalar)[0][0];
+        let level = |l: usize| (b.image.levels[l].texels[0] & 255) as f32 / 255.0;
+        assert!((got - 0.5 * (level(0) + level(1))).abs() < 1e-4, "{got}");
+    }
+
+    #[test]
+    fn lanes_of_different_levels_each_get_their_own() {
+        let mut b = binding(TextureKind::D2, &[(4, 4), (2, 2), (1, 1)], Wrap::Repeat);
+        b.sampler.mip_linear = Some(false);
+        let coord = [[0.1; LANES], [0.1; LANES], [0.0; LANES], [0.0; LANES]];
+        let slopes: Lanes = std::array::from_fn(|i| [0.1, 0.5, 1.0, 9.0][i % 4]);
+        let (dx, dy) = ([slopes, [0.0; LANES], [0.0; LANES]], [[0.0; LANES]; 3]);
+        let got = sample_group(&b, &coord, Some([&dx, &dy]), Simd::Scalar)[0];
+        for (lane, want) in [0usize, 1, 2, 2].into_iter().cycle().take(LANES).enumerate() {
+            assert_eq!(got[lane], (b.image.levels[want].texels[0] & 255) as f32 * (1.0 / 255.0), "lane {lane}");
+        }
+    }
+
+    #[test]
+    fn cube_directions_reach_the_face_of_their_largest_component() {
+        for (face, direction) in
+            [[1.0, 0.1, 0.2], [-1.0, 0.1, 0.2], [0.1, 1.0, 0.2], [0.1, -1.0, 0.2], [0.1, 0.2, 1.0], [0.1, 0.2, -1.0]].iter().enumerate()
+        {
+            assert_eq!(major_face(*direction), face);
+        }
+    }
+
+    #[test]
+    fn both_simd_levels_give_the_same_bits_even_for_wild_coordinates() {
+        if !avx2_available() {
+            return;
+        }
+        let wild = [0.0, -0.0, 1e30, -1e30, f32::NAN, f32::INFINITY, 1e-30, 0.999_999_94];
+        for wrap in [Wrap::Repeat, Wrap::Clamp, Wrap::ClampToEdge, Wrap::ClampToBorder, Wrap::MirroredRepeat] {
+            for linear in [false, true] {
+                let mut b = binding(TextureKind::D2, &[(5, 3), (2, 1), (1, 1)], wrap);
+                (b.sampler.mag_linear, b.sampler.min_linear, b.sampler.mip_linear) = (linear, linear, Some(linear));
+                for shift in 0..8 {
+                    let rotate = |by: usize| std::array::from_fn(|i| wild[(i * by + shift) % 8]);
+                    let coord = [rotate(1), rotate(3), rotate(5), rotate(7)];
+                    let (dx, dy) = ([rotate(3), rotate(1), rotate(1)], [rotate(5), rotate(2), rotate(2)]);
+                    let bits = |simd| sample_group(&b, &coord, Some([&dx, &dy]), simd).map(|c| c.map(f32::to_bits));
+                    assert_eq!(bits(Simd::Scalar), bits(Simd::Avx2));
+                }
+            }
+        }
+    }
 }
