@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::FixedProgram;
+use super::environment::{self, Base, Mode};
 use super::slots::Slot;
 use super::text::Text;
 use crate::program::{Input, Interface, Output, Program, Shortcut, Stage, Varying};
@@ -27,6 +28,21 @@ pub enum Source {
     Color,
 }
 
+/// What a texture unit does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct UnitKey {
+    /// It has a texture.
+    pub enabled: bool,
+    /// A cube map: the coordinates are a direction and not projected.
+    pub cube: bool,
+    /// The sampler wants a level of detail.
+    pub lod: bool,
+    /// Base format of the texture.
+    pub base: Base,
+    /// Environment.
+    pub mode: Mode,
+}
+
 /// What a fragment program does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct FragmentKey {
@@ -40,6 +56,8 @@ pub struct FragmentKey {
     pub color_sum: bool,
     /// Fog.
     pub fog: Fog,
+    /// Texture units. The enabled ones take texture slots in their order.
+    pub units: [UnitKey; 8],
 }
 
 /// A fragment program under construction.
@@ -84,8 +102,17 @@ impl Build {
 /// Writes the program of a key.
 pub(super) fn generate(key: &FragmentKey) -> FixedProgram {
     let mut b = Build { t: Text::default(), inputs: Vec::new(), varyings: Vec::new(), key: *key };
-    let color = b.varying(Output::FrontColor);
-    b.t.line(format!("var color = {color};"));
+    texels(&mut b);
+    if reads_primary(key) {
+        let color = b.varying(Output::FrontColor);
+        b.t.line(format!("let primary = {color};"));
+        b.t.line("var color = primary;");
+    } else {
+        b.t.line("var color: vec4<f32>;");
+    }
+    for (unit, u) in key.units.iter().enumerate().filter(|(_, u)| u.enabled) {
+        environment::apply(&mut b.t, unit as u8, u.base, &u.mode, |n| key.units.get(n as usize).is_some_and(|u| u.enabled));
+    }
     if key.color_sum {
         let secondary = b.varying(Output::FrontSecondary);
         b.t.line(format!("color = vec4<f32>(saturate(color.rgb + {secondary}.rgb), color.a);"));
@@ -93,6 +120,31 @@ pub(super) fn generate(key: &FragmentKey) -> FixedProgram {
     fog(&mut b);
     b.t.line("out.color = color;");
     finish(b)
+}
+
+/// False where the first texture replaces the primary colour and nothing asks for it later.
+fn reads_primary(key: &FragmentKey) -> bool {
+    let mut enabled = key.units.iter().filter(|u| u.enabled);
+    let replaced = enabled.next().is_some_and(|u| u.mode == Mode::Replace && !matches!(u.base, Base::Alpha | Base::Luminance | Base::Rgb));
+    !replaced || enabled.any(|u| matches!(u.mode, Mode::Combine(_)))
+}
+
+/// Samples the texture of every unit: `texel0` and so on.
+fn texels(b: &mut Build) {
+    let units = b.key.units;
+    for (slot, (unit, key)) in units.iter().enumerate().filter(|(_, u)| u.enabled).enumerate() {
+        let k = b.varying_index(Output::TexCoord(unit as u8));
+        let project = |c: &str| if key.cube { format!("{c}.xyz") } else { format!("({c}.xyz / {c}.w)") };
+        let coord = project(&b.input(Input::Varying(k)));
+        let mut gradients = ["vec4<f32>(0.0)".to_string(), "vec4<f32>(0.0)".to_string()];
+        if key.lod {
+            let [origin, right, down] = [0, 1, 2].map(|p| project(&b.input(Input::Quad(k, p))));
+            b.t.line(format!("let origin{unit} = {origin};"));
+            gradients = [right, down].map(|p| format!("vec4<f32>({p} - origin{unit}, 0.0)"));
+        }
+        let [ddx, ddy] = gradients;
+        b.t.line(format!("let texel{unit} = texture_sample({slot}u, vec4<f32>({coord}, 0.0), {ddx}, {ddy});"));
+    }
 }
 
 /// Fog (3.10): C = f C_r + (1 - f) C_f.
@@ -113,7 +165,8 @@ fn fog(b: &mut Build) {
 
 fn finish(b: Build) -> FixedProgram {
     let inputs = (0..b.inputs.len()).map(|k| format!("i{k}: vec4<f32>"));
-    let plain = b.key.source == Source::Color && !b.key.color_sum && b.key.fog == Fog::None;
+    let textures = b.key.units.iter().filter(|u| u.enabled).count() as u32;
+    let plain = b.key.source == Source::Color && textures == 0 && !b.key.color_sum && b.key.fog == Fog::None;
     let shortcut = if plain { Shortcut::Varying(0) } else { Shortcut::None };
     let wgsl = format!(
         "{}{}fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut {{\n    var out: FragmentOut;\n{}    return out;\n}}\n",

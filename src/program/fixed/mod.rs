@@ -9,14 +9,20 @@ use std::sync::{Arc, LazyLock, Mutex};
 
 use super::Program;
 
+mod environment;
 mod fragment;
+mod lighting;
 mod slots;
+mod texgen;
 mod text;
 mod vertex;
 
-pub use fragment::{Fog, FragmentKey, Source};
+pub use environment::{Argument, Base, Combine, CombineSource, Function, Mode};
+pub use fragment::{Fog, FragmentKey, Source, UnitKey};
+pub use lighting::{LightingKey, light, tracks};
 pub use slots::Slot;
-pub use vertex::{FogCoord, VertexKey};
+pub use texgen::{Generate, TexCoordKey};
+pub use vertex::{FogCoord, Normal, VertexKey};
 
 /// A program and the meaning of its uniform block.
 pub struct FixedProgram {

@@ -15,6 +15,8 @@ pub enum Slot {
     ModelAmbient,
     /// Emission of a face.
     Emission(u8),
+    /// Ambient colour of a face's material.
+    MaterialAmbient(u8),
     /// Light's ambient colour, times the face's material.
     AmbientProduct(u8, u8),
     /// Light's diffuse colour, times the face's material.

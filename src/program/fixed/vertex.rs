@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use super::FixedProgram;
+use super::lighting::{self, LightingKey};
 use super::slots::Slot;
+use super::texgen::{self, TexCoordKey};
 use super::text::Text;
 use crate::program::{Interface, Output, Program, Stage};
 
@@ -19,15 +21,33 @@ pub enum FogCoord {
     Attribute,
 }
 
+/// What happens to the transformed normal, where it is needed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Normal {
+    #[default]
+    Keep,
+    Rescale,
+    Normalize,
+}
+
 /// What a vertex program does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct VertexKey {
-    /// Writes the front colour.
+    /// Writes the primary colours.
     pub color: bool,
-    /// Writes the secondary colour.
+    /// Writes the secondary colours.
     pub secondary: bool,
+    /// Lighting.
+    pub lighting: LightingKey,
+    /// What happens to the transformed normal.
+    pub normal: Normal,
+    /// Texture coordinates by unit.
+    pub units: [TexCoordKey; 8],
     /// Fog coordinate.
     pub fog: FogCoord,
+    /// Writes the eye coordinates.
+    pub eye: bool,
     /// User clip distances.
     pub clip_planes: u8,
     /// Distance attenuation of the point size.
@@ -41,17 +61,65 @@ pub(super) fn generate(key: &VertexKey) -> FixedProgram {
     let mut outputs = Vec::new();
     let position = t.transform(Slot::Mvp, "in.a0");
     t.line(format!("out.position = {position};"));
-    if key.clip_planes > 0 || key.point_attenuation || key.fog == FogCoord::EyeZ {
+    let lit = key.lighting.enabled && (key.color || key.secondary);
+    let generates = |needs: fn(&TexCoordKey) -> bool| key.units.iter().any(needs);
+    let eye = key.clip_planes > 0
+        || key.point_attenuation
+        || key.fog == FogCoord::EyeZ
+        || lit && key.lighting.needs_eye()
+        || generates(TexCoordKey::needs_eye)
+        || key.eye;
+    if eye {
         let eye = t.transform(Slot::ModelView, "in.a0");
         t.line(format!("let eye = {eye};"));
     }
-    if key.color {
-        attributes |= 1 << 3;
-        write(&mut t, &mut outputs, Output::FrontColor, "saturate(in.a3)");
+    if lit || generates(TexCoordKey::needs_normal) {
+        attributes |= 1 << 2;
+        let [x, y, z] = [0, 1, 2].map(|r| t.slot(Slot::NormalRow(r)));
+        let normal = format!("({x}.xyz * in.a2.x + {y}.xyz * in.a2.y) + {z}.xyz * in.a2.z");
+        t.line(match key.normal {
+            Normal::Keep => format!("let normal = {normal};"),
+            Normal::Rescale => format!("let normal = ({normal}) * {x}.w;"),
+            Normal::Normalize => format!("let normal = normalize({normal});"),
+        });
     }
-    if key.secondary {
-        attributes |= 1 << 4;
-        write(&mut t, &mut outputs, Output::FrontSecondary, "saturate(in.a4)");
+    if lit {
+        lighting::generate(&mut t, &key.lighting);
+        if key.lighting.color_material != [0; 2] {
+            attributes |= 1 << 3;
+        }
+        if key.color {
+            write(&mut t, &mut outputs, Output::FrontColor, "front_color");
+            if key.lighting.two_side {
+                write(&mut t, &mut outputs, Output::BackColor, "back_color");
+            }
+        }
+        if key.secondary {
+            write(&mut t, &mut outputs, Output::FrontSecondary, "front_specular");
+            if key.lighting.two_side {
+                write(&mut t, &mut outputs, Output::BackSecondary, "back_specular");
+            }
+        }
+    } else {
+        if key.color {
+            attributes |= 1 << 3;
+            write(&mut t, &mut outputs, Output::FrontColor, "saturate(in.a3)");
+        }
+        if key.secondary {
+            attributes |= 1 << 4;
+            write(&mut t, &mut outputs, Output::FrontSecondary, "saturate(in.a4)");
+        }
+    }
+    texgen::shared(&mut t, &key.units);
+    for (unit, coord) in key.units.iter().enumerate().filter(|(_, c)| c.used) {
+        if coord.needs_attribute() {
+            attributes |= 1 << (8 + unit);
+        }
+        let value = texgen::coordinates(&mut t, unit as u8, coord);
+        write(&mut t, &mut outputs, Output::TexCoord(unit as u8), &value);
+    }
+    if key.eye {
+        write(&mut t, &mut outputs, Output::Eye, "eye");
     }
     match key.fog {
         FogCoord::None => {}

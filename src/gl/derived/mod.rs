@@ -3,15 +3,15 @@
 
 use std::sync::Arc;
 
-use glam::{Mat4, Vec4};
-
 use super::enums::*;
 use super::{Context, dirty};
 use crate::draw::recorder::DrawState;
 use crate::draw::texture::TextureBinding;
-use crate::program::Output;
-use crate::program::fixed::{self, FixedProgram, Fog, FogCoord, FragmentKey, Slot, VertexKey};
+use crate::program::fixed::{self, FixedProgram, FragmentKey, VertexKey};
 use crate::raster::layout::*;
+
+mod keys;
+mod uniforms;
 
 /// The parts of the derived state, kept from draw to draw.
 #[derive(Default)]
@@ -55,11 +55,11 @@ impl Context {
         }
         let vertex = d.vertex.get_or_insert_with(|| fixed::vertex_program(&VertexKey::default())).clone();
         if changed & !dirty::FRAGMENT != 0 {
-            let values = self.slot_values();
+            let values = uniforms::Values::new(self);
             d.vertex_uniforms.clear();
-            d.vertex_uniforms.extend(vertex.slots.iter().map(|slot| values.value(self, *slot)));
+            d.vertex_uniforms.extend(vertex.slots.iter().map(|slot| values.value(*slot)));
             d.fragment_uniforms.clear();
-            d.fragment_uniforms.extend(fragment.slots.iter().map(|slot| values.value(self, *slot)));
+            d.fragment_uniforms.extend(fragment.slots.iter().map(|slot| values.value(*slot)));
         }
         let raster_state = match d.raster_state {
             Some(state) if changed & (dirty::TRANSFORM | dirty::RASTER | dirty::SURFACE) == 0 => state,
@@ -88,80 +88,4 @@ impl Context {
         self.derived_topology = topology;
         self.dirty = 0;
     }
-
-    fn fragment_key(&self, textures: &mut Vec<TextureBinding>) -> FragmentKey {
-        let s = &self.state;
-        textures.clear();
-        let separate = s.lighting.enabled && s.lighting.color_control == GL_SEPARATE_SPECULAR_COLOR;
-        FragmentKey {
-            flat: s.lighting.shade_model == GL_FLAT,
-            two_side: s.lighting.enabled && s.lighting.two_side,
-            color_sum: separate || (s.lighting.color_sum && !s.lighting.enabled),
-            fog: match (s.fog.enabled, s.fog.mode) {
-                (false, _) => Fog::None,
-                (true, GL_LINEAR) => Fog::Linear,
-                (true, GL_EXP) => Fog::Exp,
-                (true, _) => Fog::Exp2,
-            },
-            ..FragmentKey::default()
-        }
-    }
-
-    fn vertex_key(&self, fragment: &FixedProgram, topology: u32, everything: bool) -> VertexKey {
-        let s = &self.state;
-        let reads = |output: Output| everything || fragment.program.varyings.iter().any(|v| v.front == output);
-        let points = topology == topology::POINTS || s.polygon.mode != [GL_FILL; 2];
-        VertexKey {
-            color: reads(Output::FrontColor),
-            secondary: reads(Output::FrontSecondary),
-            fog: match (reads(Output::Fog), s.fog.coord_source) {
-                (false, _) => FogCoord::None,
-                (true, GL_FOG_COORD) => FogCoord::Attribute,
-                (true, _) => FogCoord::EyeZ,
-            },
-            clip_planes: s.transform.clip_enabled.iter().filter(|e| **e).count() as u8,
-            point_attenuation: points && s.point.attenuation != [1.0, 0.0, 0.0],
-        }
-    }
-
-    fn slot_values(&self) -> SlotValues {
-        SlotValues { mvp: super::matrix::multiply(self.projection.top(), self.modelview.top()) }
-    }
-}
-
-/// Values that several slots share.
-struct SlotValues {
-    mvp: Mat4,
-}
-
-impl SlotValues {
-    fn value(&self, cx: &Context, slot: Slot) -> [f32; 4] {
-        let s = &cx.state;
-        match slot {
-            Slot::Mvp(c) => self.mvp.col(c as usize).to_array(),
-            Slot::ModelView(c) => cx.modelview.top().col(c as usize).to_array(),
-            Slot::ClipPlane(n) => {
-                let enabled = (0..s.transform.clip_enabled.len()).filter(|k| s.transform.clip_enabled[*k]);
-                enabled.skip(n as usize).map(|k| s.transform.clip_planes[k]).next().unwrap_or(Vec4::ZERO).to_array()
-            }
-            Slot::PointSize => [s.point.size, s.point.size_min.max(1.0), s.point.size_max.max(1.0), 0.0],
-            Slot::PointAttenuation => [s.point.attenuation[0], s.point.attenuation[1], s.point.attenuation[2], 0.0],
-            Slot::FogColor => s.fog.color,
-            Slot::FogParameters => fog_parameters(&s.fog),
-            Slot::EnvColor(unit) => s.texture.units[unit as usize].env_color,
-            _ => [0.0; 4],
-        }
-    }
-}
-
-fn fog_parameters(fog: &super::state::FogState) -> [f32; 4] {
-    let x = match fog.mode {
-        GL_LINEAR => {
-            let scale = if fog.end == fog.start { 1.0 } else { 1.0 / (fog.end - fog.start) };
-            return [-scale, fog.end * scale, 0.0, 0.0];
-        }
-        GL_EXP => -fog.density * std::f32::consts::LOG2_E,
-        _ => fog.density * std::f32::consts::LOG2_E.sqrt(),
-    };
-    [x, 0.0, 0.0, 0.0]
 }
