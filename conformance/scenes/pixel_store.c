@@ -15,13 +15,14 @@ SCENE(pixel_store, OTHER, 256, 256, 0, "pixel store: alignment, row length, skip
         glPixelStorei(GL_UNPACK_SKIP_PIXELS, i);
         glRasterPos2i(5 + i * 62, 65);
         glDrawPixels(51, 50, GL_LUMINANCE, GL_UNSIGNED_BYTE, image);
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+        glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
+        glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
+        /* Not together with skips: there the reference reads beyond the image. */
         glPixelStorei(GL_UNPACK_SWAP_BYTES, i & 1);
         glRasterPos2i(5 + i * 62, 130);
         glDrawPixels(20, 50, GL_RGB, GL_UNSIGNED_SHORT, image);
         glPixelStorei(GL_UNPACK_SWAP_BYTES, 0);
-        glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-        glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
-        glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
         memset(packed, 0xEE, sizeof packed);
         glPixelStorei(GL_PACK_ALIGNMENT, a);
         glPixelStorei(GL_PACK_ROW_LENGTH, 7);
