@@ -37,8 +37,8 @@ SCENE(feedback, EXACT, 64, 64, TEXT_ONLY, "feedback of points, lines, triangles 
         glTexCoord3f(1, 2, 3);
         glBegin(GL_POINTS), glVertex3f(10, 10, 0.5f), glVertex3f(100, 10, 0.5f), glEnd();
         glPassThrough(12.5f);
-        glBegin(GL_LINE_STRIP), glVertex2f(10, 10), glColor3f(1, 0, 0), glVertex2f(40, 20), glVertex2f(50, 60), glEnd();
-        glBegin(GL_TRIANGLES), glVertex2f(10, 10), glColor3f(0, 1, 0), glVertex2f(40, 20), glVertex3f(50, 60, -0.5f), glEnd();
+        glBegin(GL_LINE_STRIP), glVertex2f(10, 10), glColor4f(1, 0, 0, 0.8f), glVertex2f(40, 20), glVertex2f(50, 60), glEnd();
+        glBegin(GL_TRIANGLES), glVertex2f(10, 10), glColor4f(0, 1, 0, 0.8f), glVertex2f(40, 20), glVertex3f(50, 60, -0.5f), glEnd();
         glRasterPos2i(20, 20);
         glBitmap(8, 1, 0, 0, 0, 0, bits);
         glDrawPixels(1, 1, GL_RED, GL_UNSIGNED_BYTE, bits);
