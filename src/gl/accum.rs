@@ -12,12 +12,9 @@ pub(crate) struct AccumBuffer {
     values: Vec<[i16; 4]>,
 }
 
-fn to_snorm(value: f32) -> i16 {
-    (value.clamp(-1.0, 1.0) * 32767.0).round_ties_even() as i16
-}
-
-fn from_snorm(value: i16) -> f32 {
-    (value as f32 / 32767.0).max(-1.0)
+/// The accumulation value of a clear colour's component, as Mesa converts it.
+fn clear_value(value: f32) -> i16 {
+    (((65535.0 * value) as i32 - 1) / 2) as i16
 }
 
 impl AccumBuffer {
@@ -30,10 +27,10 @@ impl AccumBuffer {
         &mut self.values[first..first + rect.width()]
     }
 
-    fn update(&mut self, rect: Rect, f: impl Fn(f32) -> f32) {
+    fn update(&mut self, rect: Rect, f: impl Fn(i16) -> i16) {
         for y in rect.min[1]..rect.max[1] {
             for value in self.row_mut(rect, y) {
-                *value = value.map(|v| to_snorm(f(from_snorm(v))));
+                *value = value.map(&f);
             }
         }
     }
@@ -61,7 +58,7 @@ impl Context {
         if self.config.accum_bits == 0 {
             return;
         }
-        let value = self.state.accum_clear.map(to_snorm);
+        let value = self.state.accum_clear.map(clear_value);
         let rect = self.scissored_window();
         let buffer = self.accum_buffer();
         (rect.min[1]..rect.max[1]).for_each(|y| buffer.row_mut(rect, y).fill(value));
@@ -86,8 +83,9 @@ impl Context {
             return;
         }
         match op {
-            GL_ADD => self.accum_buffer().update(rect, |a| a + value),
-            GL_MULT => self.accum_buffer().update(rect, |a| a * value),
+            // Rounded towards zero, saturating: Mesa's arithmetic but for its wrapping around.
+            GL_ADD => self.accum_buffer().update(rect, |a| a.saturating_add((value * 32767.0) as i16)),
+            GL_MULT => self.accum_buffer().update(rect, |a| (a as f32 * value) as i16),
             GL_RETURN => self.return_accum(rect, value),
             _ => self.load_accum(rect, value, op == GL_ACCUM),
         }
@@ -96,16 +94,17 @@ impl Context {
     fn load_accum(&mut self, rect: Rect, value: f32, add: bool) {
         let Some((rect, groups)) = self.read_window_colors(rect) else { return };
         let colors = match groups {
-            Groups::Rgba8(p) => p.iter().map(|p| p.to_le_bytes().map(|c| c as f32 / 255.0)).collect(),
+            Groups::Rgba8(p) => p.iter().map(|p| p.to_le_bytes().map(|c| c as f32 * (1.0 / 255.0))).collect(),
             Groups::Rgba(p) => p,
             _ => return,
         };
+        let scale = value * 32767.0;
         let buffer = self.accum_buffer();
         for (row, colors) in colors.chunks_exact(rect.width().max(1)).enumerate() {
             for (accum, color) in buffer.row_mut(rect, rect.min[1] + row as i32).iter_mut().zip(colors) {
                 *accum = std::array::from_fn(|k| {
-                    let old = if add { from_snorm(accum[k]) } else { 0.0 };
-                    to_snorm(color[k] * value + old)
+                    let new = (color[k] * scale) as i16;
+                    if add { accum[k].saturating_add(new) } else { new }
                 });
             }
         }
@@ -121,11 +120,12 @@ impl Context {
         self.accum_buffer();
         let (Some(buffer), Some(window)) = (self.pixel_objects.accum.as_mut(), self.window.as_mut()) else { return };
         let pixels = window.pixels_mut();
+        let scale = value / 32767.0;
         let rect = rect.and(bounds(pixels));
         for y in rect.min[1]..rect.max[1] {
             let first = pixel_index(pixels, rect.min[0], y);
             for (x, accum) in buffer.row_mut(rect, y).iter().enumerate() {
-                write_color(pixels, first + x, accum.map(|a| (from_snorm(a) * value).clamp(0.0, 1.0)), mask);
+                write_color(pixels, first + x, accum.map(|a| (a as f32 * scale).clamp(0.0, 1.0)), mask);
             }
         }
     }
@@ -136,17 +136,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn signed_values_saturate_and_survive() {
-        assert_eq!(to_snorm(2.0), 32767);
-        assert_eq!(to_snorm(-2.0), -32767);
-        assert_eq!(from_snorm(to_snorm(1.0)), 1.0);
-        assert_eq!(from_snorm(i16::MIN), -1.0);
+    fn clear_values_saturate() {
+        assert_eq!([1.0, 0.0, -1.0, 0.2].map(clear_value), [32767, 0, -32768, 6553]);
     }
 
     #[test]
     fn operations_stay_inside_the_rectangle() {
         let mut buffer = AccumBuffer::new(3, 3);
-        buffer.update(Rect::new(1, 1, 1, 2), |a| a + 0.5);
+        buffer.update(Rect::new(1, 1, 1, 2), |a| a + 5);
         let set: Vec<usize> = buffer.values.iter().enumerate().filter(|(_, v)| v[0] != 0).map(|(i, _)| i).collect();
         assert_eq!(set, [4, 7]);
     }

@@ -2,11 +2,11 @@
 
 use super::Context;
 use super::enums::*;
-use super::framebuffer::{Rect, bounds, read_color, read_depth, read_stencil};
+use super::framebuffer::{Rect, bounds, read_depth, read_stencil};
 use super::pixel_format::Groups;
 
 impl Context {
-    /// glCopyPixels. Pixels outside the window are not copied (their values are undefined).
+    /// glCopyPixels
     pub fn copy_pixels(&mut self, x: i32, y: i32, width: i32, height: i32, kind: GLenum) {
         if self.compile(move |cx| cx.copy_pixels(x, y, width, height, kind)) || self.inside_begin_end() {
             return;
@@ -29,31 +29,32 @@ impl Context {
         if self.feedback_pixels(GL_COPY_PIXEL_TOKEN) {
             return;
         }
+        let rect = Rect::new(x, y, width, height);
+        if kind == GL_COLOR {
+            // Colours from outside the window are undefined; Mesa takes zeros.
+            let Some(groups) = self.read_padded_colors(rect) else { return };
+            let groups = self.state.pixel.transferred_colors(groups);
+            return self.draw_groups([rect.width(), rect.height()], groups);
+        }
         self.flush_batch();
         let Some(window) = self.window.as_mut() else { return };
         let pixels = window.pixels();
-        let inside = Rect::new(x, y, width, height).and(bounds(pixels));
+        let inside = rect.and(bounds(pixels));
         if inside.is_empty() {
             return;
         }
-        let groups = match kind {
-            GL_DEPTH => Groups::Depth(read_depth(pixels, inside)),
-            GL_STENCIL => Groups::Index(read_stencil(pixels, inside)),
-            _ => read_color(pixels, inside),
-        };
         // What lies to the left of and below the window is skipped: the rest lands where it would have.
-        let skipped = [inside.min[0] - x, inside.min[1] - y];
-        let position = self.state.current.raster.position;
-        for k in 0..2 {
-            self.state.current.raster.position[k] = position[k].round() + skipped[k] as f32 * self.state.pixel.zoom[k];
-        }
         let size = [inside.width(), inside.height()];
-        match groups {
-            Groups::Index(indices) => self.draw_stencil(size, indices),
-            groups => {
-                let groups = self.state.pixel.transferred_colors(groups);
-                self.draw_groups(size, groups);
-            }
+        let depths = if kind == GL_DEPTH { read_depth(pixels, inside) } else { Vec::new() };
+        let indices = if kind == GL_STENCIL { read_stencil(pixels, inside) } else { Vec::new() };
+        let position = self.state.current.raster.position;
+        for (k, skipped) in [inside.min[0] - x, inside.min[1] - y].into_iter().enumerate() {
+            self.state.current.raster.position[k] = position[k].round() + skipped as f32 * self.state.pixel.zoom[k];
+        }
+        if kind == GL_DEPTH {
+            self.draw_groups(size, Groups::Depth(depths));
+        } else {
+            self.draw_stencil(size, indices);
         }
         self.state.current.raster.position = position;
     }

@@ -3,6 +3,7 @@
 use super::Context;
 use super::enums::*;
 use super::framebuffer::Rect;
+use super::texture_format::InternalFormat;
 use super::texture_image::{ImageSpec, ImageTarget};
 
 impl Context {
@@ -52,6 +53,7 @@ impl Context {
             if internal_format <= 4 {
                 return Err(GL_INVALID_ENUM);
             }
+            InternalFormat::from_enum(internal_format).ok_or(GL_INVALID_ENUM)?;
             let spec = ImageSpec::checked(target, level, internal_format, size, border)?;
             spec.supported()?;
             self.check_readable(GL_RGBA)?;

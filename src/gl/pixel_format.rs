@@ -232,7 +232,7 @@ fn expand(format: GLenum, c: &[f32]) -> [f32; 4] {
 }
 
 /// The components of a format from RGBA; luminance is the sum of red, green and blue (4.3.2).
-fn select(format: GLenum, [r, g, b, a]: [f32; 4]) -> [f32; 4] {
+fn select(format: GLenum, [r, g, b, a]: [f64; 4]) -> [f64; 4] {
     match format {
         GL_GREEN => [g, 0.0, 0.0, 0.0],
         GL_BLUE => [b, 0.0, 0.0, 0.0],
@@ -350,13 +350,16 @@ pub(crate) fn pack(store: &PixelStore, bytes: &mut [u8], size: [usize; 3], volum
     match groups {
         Groups::Rgba8(pixels) => match rgba8_writer(format, ty) {
             Some(write) => write_rows(store, bytes, layout, size, ty, |y, row| write(&pixels[y * width..][..width], row)),
-            None => {
-                let floats = pixels.iter().map(|p| p.to_le_bytes().map(|c| c as f32 / 255.0)).collect();
-                pack(store, bytes, size, volume, format, ty, &Groups::Rgba(floats));
-            }
+            // In double precision, so that integers of 32 bits come out exact.
+            None => write_rows(store, bytes, layout, size, ty, |y, row| {
+                let pixels = pixels[y * width..][..width].iter();
+                write_rgba(pixels.map(|p| p.to_le_bytes().map(|c| c as f64 / 255.0)), format, ty, row);
+            }),
         },
         Groups::Rgba(pixels) => {
-            write_rows(store, bytes, layout, size, ty, |y, row| write_rgba(&pixels[y * width..][..width], format, ty, row));
+            write_rows(store, bytes, layout, size, ty, |y, row| {
+                write_rgba(pixels[y * width..][..width].iter().map(|p| p.map(f64::from)), format, ty, row)
+            });
         }
         Groups::Index(values) => write_rows(store, bytes, layout, size, ty, |y, row| {
             let values = &values[y * width..][..width];
@@ -389,13 +392,13 @@ fn write_bits(values: &[u32], first: usize, lsb_first: bool, row: &mut [u8]) {
     }
 }
 
-fn write_rgba(pixels: &[[f32; 4]], format: GLenum, ty: GLenum, row: &mut [u8]) {
+fn write_rgba(pixels: impl Iterator<Item = [f64; 4]>, format: GLenum, ty: GLenum, row: &mut [u8]) {
     if let Some(packed) = packed(ty) {
-        for (group, &pixel) in row.chunks_exact_mut(packed.bytes).zip(pixels) {
+        for (group, pixel) in row.chunks_exact_mut(packed.bytes).zip(pixels) {
             let c = select(format, pixel);
             let word = packed.fields.iter().zip(c).fold(0u32, |word, (&(shift, bits), c)| {
                 let max = (1u32 << bits) - 1;
-                word | ((c.clamp(0.0, 1.0) * max as f32).round_ties_even() as u32) << shift
+                word | ((c.clamp(0.0, 1.0) * max as f64).round_ties_even() as u32) << shift
             });
             match packed.bytes {
                 1 => group[0] = word as u8,
@@ -407,10 +410,10 @@ fn write_rgba(pixels: &[[f32; 4]], format: GLenum, ty: GLenum, row: &mut [u8]) {
     }
     let n = components(format).unwrap_or(1);
     let Some(element) = component_bytes(ty) else { return };
-    for (group, &pixel) in row.chunks_exact_mut(n * element).zip(pixels) {
+    for (group, pixel) in row.chunks_exact_mut(n * element).zip(pixels) {
         let c = select(format, pixel);
         for (out, c) in group.chunks_exact_mut(element).zip(c) {
-            write_normalized(ty, c.clamp(0.0, 1.0) as f64, out);
+            write_normalized(ty, c.clamp(0.0, 1.0), out);
         }
     }
 }

@@ -15,17 +15,21 @@ impl Context {
         Some((inside, read_color(pixels, inside)))
     }
 
-    /// Colours of a rectangle after transfer, zero outside the window, as the copies into textures want them.
-    pub(crate) fn read_transferred_colors(&mut self, rect: Rect) -> Groups {
-        let Some((inside, groups)) = self.read_window_colors(rect) else {
-            return Groups::Rgba8(vec![0; rect.width() * rect.height()]);
-        };
-        let groups = self.state.pixel.transferred_colors(groups);
-        match groups {
+    /// Colours of a rectangle before transfer, zero outside the window.
+    pub(crate) fn read_padded_colors(&mut self, rect: Rect) -> Option<Groups> {
+        let (inside, groups) = self.read_window_colors(rect)?;
+        Some(match groups {
             Groups::Rgba8(p) => Groups::Rgba8(pad(p, inside, rect, 0)),
             Groups::Rgba(p) => Groups::Rgba(pad(p, inside, rect, [0.0; 4])),
             other => other,
-        }
+        })
+    }
+
+    /// The same after transfer, as the copies into textures want them.
+    pub(crate) fn read_transferred_colors(&mut self, rect: Rect) -> Groups {
+        let blank = || Groups::Rgba8(vec![0; rect.width() * rect.height()]);
+        let groups = self.read_padded_colors(rect).unwrap_or_else(blank);
+        self.state.pixel.transferred_colors(groups)
     }
 
     /// The error of reading this kind of pixels from the window.

@@ -466,7 +466,15 @@ impl Context {
             Some((image.size.map(|n| n as usize), image.format.read(&image.texels)))
         });
         if let Some((size, groups)) = read {
-            let groups = self.state.pixel.transferred_colors(groups);
+            let mut groups = self.state.pixel.transferred_colors(groups);
+            if matches!(format, GL_LUMINANCE | GL_LUMINANCE_ALPHA) {
+                // Luminance is red here, not the sum that glReadPixels makes: Mesa's reading, and the useful one.
+                match &mut groups {
+                    Groups::Rgba8(p) => p.iter_mut().for_each(|p| *p &= 0xff00_00ff),
+                    Groups::Rgba(p) => p.iter_mut().for_each(|p| (p[1], p[2]) = (0.0, 0.0)),
+                    _ => {}
+                }
+            }
             pack(&self.state.pack, out, size, image_target.kind == TextureKind::D3, format, ty, &groups);
         }
     }
