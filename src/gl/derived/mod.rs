@@ -11,6 +11,7 @@ use crate::program::fixed::{self, FixedProgram, FragmentKey, VertexKey};
 use crate::raster::layout::*;
 
 mod keys;
+mod pixels;
 mod uniforms;
 
 /// The parts of the derived state, kept from draw to draw.

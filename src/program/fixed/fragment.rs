@@ -26,6 +26,8 @@ pub enum Source {
     /// The primary colour.
     #[default]
     Color,
+    /// A texel of the image in the texture slot after those of the units, at the coordinates in `Output::Generic(0)`.
+    Image,
 }
 
 /// What a texture unit does.
@@ -103,7 +105,13 @@ impl Build {
 pub(super) fn generate(key: &FragmentKey) -> FixedProgram {
     let mut b = Build { t: Text::default(), inputs: Vec::new(), varyings: Vec::new(), key: *key };
     texels(&mut b);
-    if reads_primary(key) {
+    if key.source == Source::Image {
+        let slot = key.units.iter().filter(|u| u.enabled).count();
+        let at = b.varying(Output::Generic(0));
+        let zero = "vec4<f32>(0.0)";
+        b.t.line(format!("let primary = texture_sample({slot}u, vec4<f32>({at}.xy, 0.0, 0.0), {zero}, {zero});"));
+        b.t.line("var color = primary;");
+    } else if reads_primary(key) {
         let color = b.varying(Output::FrontColor);
         b.t.line(format!("let primary = {color};"));
         b.t.line("var color = primary;");

@@ -16,6 +16,7 @@ mod slots;
 mod texgen;
 mod text;
 mod vertex;
+mod window;
 
 pub use environment::{Argument, Base, Combine, CombineSource, Function, Mode};
 pub use fragment::{Fog, FragmentKey, Source, UnitKey};
@@ -23,6 +24,7 @@ pub use lighting::{LightingKey, light, tracks};
 pub use slots::Slot;
 pub use texgen::{Generate, TexCoordKey};
 pub use vertex::{FogCoord, Normal, VertexKey};
+pub use window::{IMAGE_COORDINATES, window_program};
 
 /// A program and the meaning of its uniform block.
 pub struct FixedProgram {
