@@ -31,7 +31,7 @@ pub fn quantize<S: Simd>(c: S::F) -> S::I {
 /// Four columns to pairs.
 #[inline(always)]
 pub fn quantize4<S: Simd>(c: [S::F; 4]) -> Pairs<S::I> {
-    let [r, g, b, a] = c.map(|c| quantize::<S>(c));
+    let [r, g, b, a] = [quantize::<S>(c[0]), quantize::<S>(c[1]), quantize::<S>(c[2]), quantize::<S>(c[3])];
     (S::or(r, S::shl::<16>(b)), S::or(g, S::shl::<16>(a)))
 }
 

@@ -291,19 +291,23 @@ fn varying<S: Simd>(plan: &Plan, planes: &[[f32; 4]], t: &Triangle, k: usize, x:
     let base = (DEPTH_PLANE_VEC4 + k as u32 * VARYING_PLANE_VEC4) as usize;
     let p: &[[f32; 4]; 3] = planes[base..base + 3].try_into().expect("three");
     if plan.modes[k] == interpolation::FLAT {
-        return p[0].map(|v| S::f(v));
+        return [S::f(p[0][0]), S::f(p[0][1]), S::f(p[0][2]), S::f(p[0][3])];
     }
     let mut value = [S::f(0.0); 4];
     for c in 0..4 {
         value[c] = at::<S>(p[0][c], p[1][c], p[2][c], x, y);
     }
     if plan.modes[k] == interpolation::PERSPECTIVE && t.flags & triangle_flags::PERSPECTIVE != 0 {
-        value = value.map(|v| S::mul(v, reciprocal));
+        for v in &mut value {
+            *v = S::mul(*v, reciprocal);
+        }
     }
     value
 }
 
-/// Runs the queued fragments' program and writes them, in order.
+/// Runs the queued fragments' program and writes them, in order. Inlined, as all that is generic over `S`: only inside a function
+/// of the dispatched level do the intrinsics become instructions, and closures for `map` are not inside.
+#[inline(always)]
 fn flush<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mut BinPixels) {
     let count = std::mem::take(&mut worker.queued);
     if count == 0 {
