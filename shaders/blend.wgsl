@@ -2,8 +2,28 @@
 // divided by 255 and rounded on its own as llvmpipe rounds it, sums and differences saturate (src/raster/blend.rs); others: src/raster/formats.rs.
 
 //#if COLOR_8BIT
+// Adding 2^23 rounds to the nearest (even) integer and leaves it in the low bits.
 fn tp_quantise_color(c: vec4<f32>) -> vec4<u32> {
-    return vec4<u32>(round(clamp(c, vec4<f32>(0.0), vec4<f32>(1.0)) * TP_COLOR_SCALE));
+    return bitcast<vec4<u32>>(min(max(c, vec4<f32>(0.0)), vec4<f32>(1.0)) * 255.0 + 8388608.0) & vec4<u32>(255u);
+}
+
+// Red with blue, green with alpha, in halves of a word.
+fn tp_quantise_pairs(c: vec4<f32>) -> vec2<u32> {
+    let v = bitcast<vec4<u32>>(min(max(c, vec4<f32>(0.0)), vec4<f32>(1.0)) * 255.0 + 8388608.0);
+    return vec2<u32>((v.x & 255u) | ((v.z & 255u) << 16u), (v.y & 255u) | ((v.w & 255u) << 16u));
+}
+
+// SRC_ALPHA, ONE_MINUS_SRC_ALPHA, two components at a time: the sum never exceeds 255.
+fn tp_blend_alpha(s: vec2<u32>, d: u32) -> u32 {
+    let a = s.y >> 16u;
+    let b = 255u - a;
+    let low = vec2<u32>(0x00ff00ffu);
+    let sa = s * a;
+    let db = vec2<u32>(d & 0x00ff00ffu, (d >> 8u) & 0x00ff00ffu) * b;
+    let x = ((sa + ((sa >> vec2<u32>(8u)) & low) + 0x00800080u) >> vec2<u32>(8u)) & low;
+    let y = ((db + ((db >> vec2<u32>(8u)) & low) + 0x00800080u) >> vec2<u32>(8u)) & low;
+    let v = x + y;
+    return v.x | (v.y << 8u);
 }
 
 //#if BLEND
@@ -73,6 +93,9 @@ fn tp_blend(state: TpState, s: vec4<u32>, d: vec4<u32>) -> vec4<u32> {
 //#endif
 
 fn tp_merge(state: TpState, old: TpPixel, color: vec4<f32>) -> TpPixel {
+//#if BLEND_ALPHA
+    return tp_masked(state, old, tp_blend_alpha(tp_quantise_pairs(color), old));
+//#else
     var s = tp_quantise_color(color);
 //#if BLEND
     let d = tp_unpack(old);
@@ -83,6 +106,7 @@ fn tp_merge(state: TpState, old: TpPixel, color: vec4<f32>) -> TpPixel {
 //#endif
 //#endif
     return tp_masked(state, old, tp_pack(s));
+//#endif
 }
 //#endif
 
@@ -159,7 +183,7 @@ fn tp_merge(state: TpState, old: TpPixel, color: vec4<f32>) -> TpPixel {
 //#endif
 //#endif
 //#if COLOR_UNORM
-    return tp_masked(state, old, tp_pack(vec4<u32>(round(clamp(s, vec4<f32>(0.0), vec4<f32>(1.0)) * TP_COLOR_SCALE))));
+    return tp_masked(state, old, tp_pack(vec4<u32>(vec4<i32>(round(clamp(s, vec4<f32>(0.0), vec4<f32>(1.0)) * TP_COLOR_SCALE)))));
 //#else
     return tp_masked(state, old, bitcast<vec4<u32>>(s));
 //#endif

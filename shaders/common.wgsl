@@ -17,13 +17,13 @@ struct TpParams {
     active_base: u32,
     list_base: u32,
     tile_base: u32,
+    entry_base: u32,
     list_blocks: u32,
     top_first: u32,
     draws: u32,
-    raster_states: u32,
-    fragment_states: u32,
-    textures: u32,
-    stipples: u32,
+    reserved0: u32,
+    reserved1: u32,
+    reserved2: u32,
     depth_max: u32,
     clear_depth: u32,
     clear_depth_mask: u32,
@@ -64,7 +64,7 @@ fn tp_mul64(a: i32, b: i32) -> vec2<u32> {
     return vec2<u32>((n << 16u) | (ll & 0xffffu), high);
 }
 
-// floor((a*b - c*d - bias) / 2^shift), saturated to +-2^29: an edge function in whole steps of 2^shift subpixels.
+// floor((a*b - c*d - bias) / 2^shift), saturated to +-2^30: an edge function in whole steps of 2^shift subpixels.
 fn tp_edge_floor(a: i32, b: i32, c: i32, d: i32, bias: u32, shift: u32) -> i32 {
     let p = tp_mul64(a, b);
     let q = tp_mul64(c, d);
@@ -74,8 +74,8 @@ fn tp_edge_floor(a: i32, b: i32, c: i32, d: i32, bias: u32, shift: u32) -> i32 {
     low -= bias;
     let h = bitcast<i32>(high);
     let inside = (high << (32u - shift)) | (low >> shift);
-    let limit = 1i << (shift - 3u);
-    return select(select(bitcast<i32>(inside), 0x20000000, h >= limit), -0x20000000, h < -limit);
+    let limit = 1i << (shift - 2u);
+    return select(select(bitcast<i32>(inside), 0x40000000, h >= limit), -0x40000000, h < -limit);
 }
 
 // Edge function i of a triangle: dx * (y - y_i) - dy * (x - x_i), with dx = x_i - x_j, dy = y_i - y_j, j the next vertex;

@@ -6,8 +6,8 @@
 // all lanes costs eight: hence the loads lane by lane with a broadcast (SUBGROUP8).
 // The order of operations is that of src/raster/fine.rs.
 
-const TP_ROWS = 64u / TP_LANES;
-const TP_ROW_STEP = TP_LANES / 8u;
+const TP_ROWS = i32(64u / TP_LANES);
+const TP_ROW_STEP = i32(TP_LANES / 8u);
 
 var<private> tp_pixels: array<TpPixel, TP_ROWS>;
 //#if DEPTH_BUFFER
@@ -40,14 +40,16 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     }
 
     let column = lane & 7u;
-    let first_row = lane >> 3u;
+    let first_row = i32(lane >> 3u);
     let px = origin.x + column;
-    let x = f32(px);
+    let x = f32(i32(px));
+    let local_x = i32((tile & 7u) * 8u + column);
+    let local_top = i32((tile >> 3u) * 8u);
     var dirty = 0u;
     {
-        var r = 0u;
+        var r = 0;
         loop {
-            let py = min(origin.y + first_row + r * TP_ROW_STEP, tp.size.y - 1u);
+            let py = min(origin.y + u32(first_row + r * TP_ROW_STEP), tp.size.y - 1u);
             let at = py * tp.size.x + min(px, tp.size.x - 1u);
             tp_pixels[r] = tp_load_pixel(at);
 //#if DEPTH_BUFFER
@@ -63,60 +65,46 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     loop {
         let entry = (first_block + block - 1u) * 32u + countTrailingZeros(bits);
         bits &= bits - 1u;
-        let triangle = tp_lists[tp.list_base + entry];
-        let base = triangle * TP_TRIANGLE_WORDS;
-//#if SUBGROUP8
-        let head = tp_triangles[base + 4u + column];
-        let draw_index = subgroupBroadcast(head, 2u);
-        let flags = subgroupBroadcast(head, 3u);
-        let columns = subgroupBroadcast(head, 4u);
-        let rows = subgroupBroadcast(head, 5u);
-        let planes = subgroupBroadcast(head, 6u) * 4u;
-        // Lanes 0, 1 and 2 work out one edge each.
-        let e = min(column, 2u);
-        let f = select(e + 1u, 0u, e == 2u);
-        let ex = bitcast<i32>(tp_triangles[base + e]);
-        let ey = bitcast<i32>(tp_triangles[base + 3u + e]);
-        let edx = ex - bitcast<i32>(tp_triangles[base + f]);
-        let edy = ey - bitcast<i32>(tp_triangles[base + 3u + f]);
-        let ec = tp_edge_floor(edx, i32(origin.y) * 256 - ey, edy, i32(origin.x) * 256 - ex, tp_edge_bias(edx, edy), 8u);
-        let dx = vec3<i32>(subgroupBroadcast(edx, 0u), subgroupBroadcast(edx, 1u), subgroupBroadcast(edx, 2u));
-        let dy = vec3<i32>(subgroupBroadcast(edy, 0u), subgroupBroadcast(edy, 1u), subgroupBroadcast(edy, 2u));
-        let c = vec3<i32>(subgroupBroadcast(ec, 0u), subgroupBroadcast(ec, 1u), subgroupBroadcast(ec, 2u));
-//#else
-        let draw_index = tp_triangles[base + TP_TRIANGLE_DRAW];
-        let flags = tp_triangles[base + TP_TRIANGLE_FLAGS];
-        let columns = tp_triangles[base + TP_TRIANGLE_COLUMNS];
-        let rows = tp_triangles[base + TP_TRIANGLE_ROWS];
-        let planes = tp_triangles[base + TP_TRIANGLE_PLANES] * 4u;
-        let tx = vec3<i32>(bitcast<i32>(tp_triangles[base]), bitcast<i32>(tp_triangles[base + 1u]), bitcast<i32>(tp_triangles[base + 2u]));
-        let ty = vec3<i32>(bitcast<i32>(tp_triangles[base + 3u]), bitcast<i32>(tp_triangles[base + 4u]), bitcast<i32>(tp_triangles[base + 5u]));
-        let dx = tx - tx.yzx;
-        let dy = ty - ty.yzx;
-        let qx = i32(origin.x) * 256 - tx;
-        let qy = i32(origin.y) * 256 - ty;
-        let c = vec3<i32>(
-            tp_edge_floor(dx.x, qy.x, dy.x, qx.x, tp_edge_bias(dx.x, dy.x), 8u),
-            tp_edge_floor(dx.y, qy.y, dy.y, qx.y, tp_edge_bias(dx.y, dy.y), 8u),
-            tp_edge_floor(dx.z, qy.z, dy.z, qx.z, tp_edge_bias(dx.z, dy.z), 8u));
-//#endif
+        //#load ta tp_lists tp.entry_base + entry * TP_ENTRY_WORDS
+        //#load tb tp_lists tp.entry_base + entry * TP_ENTRY_WORDS + 4u
+        let box = WORD(tb, 5);
+        let planes = WORD(tb, 6);
+        let draw_and_flags = WORD(tb, 7);
+        let flags = draw_and_flags >> 24u;
+        let c = bitcast<vec3<i32>>(vec3<u32>(WORD(ta, 0), WORD(ta, 1), WORD(ta, 2)));
+        let a = bitcast<vec3<i32>>(vec3<u32>(WORD(ta, 3), WORD(ta, 4), WORD(ta, 5)));
+        let b = bitcast<vec3<i32>>(vec3<u32>(WORD(ta, 6), WORD(ta, 7), WORD(tb, 4)));
         // The draw's states.
-        let draw = tp.draws + draw_index * TP_DRAW_WORDS;
-        let fragment_uniforms = tp_records[draw + TP_DRAW_FRAGMENT_UNIFORMS];
-        let state = tp_load_state(draw, column, flags);
+        let draw = tp.draws + (draw_and_flags & 0xffffffu) * TP_DRAW_WORDS;
+        //#load sa tp_records draw
+//#if BLEND_DYNAMIC
+        //#load sb tp_records draw + 8u
+//#else
+//#if BLEND_CONSTANT
+        //#load sb tp_records draw + 8u
+//#endif
+//#endif
+//#if STENCIL_TEST
+        //#load sc tp_records draw + select(24u, 16u, (flags & TP_FRONT) != 0u)
+//#endif
+        let fragment_uniforms = WORD(sa, 0);
+//#if TEXTURES
+        tp_textures = WORD(sa, 1);
+//#endif
+        var state: TpState;
+        //#state
         // Planes of this triangle.
         //#insert PLANES
-        let in_columns = px >= (columns & 0xffffu) && px <= (columns >> 16u);
-        let low = max(rows & 0xffffu, origin.y) - origin.y;
-        let high = min(rows >> 16u, origin.y + 7u) - origin.y;
-        let at_column = c - dy * i32(column);
+        let in_columns = local_x >= i32(box & 255u) && local_x <= i32((box >> 8u) & 255u);
+        let low = max(i32((box >> 16u) & 255u), local_top) - local_top;
+        let high = min(i32(box >> 24u), local_top + 7) - local_top;
         var row = first_row + (low / TP_ROW_STEP) * TP_ROW_STEP;
+        var e = c + a * local_x + b * (local_top + row);
         loop {
-            let e = at_column + dx * i32(row);
             var covered = (e.x | e.y | e.z) >= 0 && in_columns && row >= low && row <= high;
-            let py = origin.y + row;
+            let py = i32(origin.y) + row;
 //#if STIPPLE
-            covered = covered && tp_stipple(state, flags, px, py);
+            covered = covered && tp_stipple(state, flags, px, u32(py));
 //#endif
             if (covered) {
                 let y = f32(py);
@@ -204,10 +192,11 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
                     tp_pixels[r] = tp_merge(state, tp_pixels[r], color);
                 }
 //#endif
-                dirty |= 1u << r;
+                dirty |= 1u << u32(r);
             }
             continuing {
                 row += TP_ROW_STEP;
+                e += b * TP_ROW_STEP;
                 break if row > high;
             }
         }
@@ -225,10 +214,10 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     }
 
     {
-        var r = 0u;
+        var r = 0;
         loop {
-            let py = origin.y + first_row + r * TP_ROW_STEP;
-            if ((dirty & (1u << r)) != 0u) {
+            let py = origin.y + u32(first_row + r * TP_ROW_STEP);
+            if ((dirty & (1u << u32(r))) != 0u) {
                 let at = py * tp.size.x + px;
                 tp_store_pixel(at, tp_pixels[r]);
 //#if DEPTH_BUFFER

@@ -1,46 +1,55 @@
 // A workgroup for each block of 32 list entries: which tiles of the bin does each triangle touch? The masks of tiles
 // (64 bits a triangle) are transposed to masks of triangles (32 bits a tile), so that the fine stage walks a tile's
-// triangles in order by counting bits: no lists, no sizes to guess.
+// triangles in order by counting bits: no lists, no sizes to guess. Also writes, entry by entry, what the fine stage wants to
+// know of the triangle in this bin (TP_ENTRY_WORDS words): three times c, a and b, the rectangle, planes, draw and flags.
 
 var<workgroup> tp_tiles: array<vec2<u32>, 32>;
 
-// The tiles that a triangle touches, of the bin at `origin`: bit y * 8 + x.
-fn tp_tile_mask(base: u32, origin: vec2<i32>) -> vec2<u32> {
+// Writes the entry's record for the fine stage and returns the tiles that the triangle touches, bit y * 8 + x, of the bin
+// at `origin`. Edge functions are relative to the bin: c + a * x + b * y, inside where none is negative, 32 bits all over it.
+fn tp_entry(base: u32, at: u32, origin: vec2<i32>) -> vec2<u32> {
     let columns = tp_triangles[base + TP_TRIANGLE_COLUMNS];
     let rows = tp_triangles[base + TP_TRIANGLE_ROWS];
-    let x0 = max(i32(columns & 0xffffu) - origin.x, 0) >> 3u;
-    let x1 = min(i32(columns >> 16u) - origin.x, 63) >> 3u;
-    let y0 = max(i32(rows & 0xffffu) - origin.y, 0) >> 3u;
-    let y1 = min(i32(rows >> 16u) - origin.y, 63) >> 3u;
+    let left = max(i32(columns & 0xffffu) - origin.x, 0);
+    let right = min(i32(columns >> 16u) - origin.x, 63);
+    let top = max(i32(rows & 0xffffu) - origin.y, 0);
+    let bottom = min(i32(rows >> 16u) - origin.y, 63);
+    let x0 = left >> 3u;
+    let x1 = right >> 3u;
+    let y0 = top >> 3u;
+    let y1 = bottom >> 3u;
     let span = ((2u << u32(x1)) - 1u) & ~((1u << u32(x0)) - 1u);
-    var a: array<i32, 3>;
-    var b: array<i32, 3>;
-    var c: array<i32, 3>;
-    for (var e = 0u; e < 3u; e++) {
-        let f = select(e + 1u, 0u, e == 2u);
-        let ax = bitcast<i32>(tp_triangles[base + e]);
-        let ay = bitcast<i32>(tp_triangles[base + 3u + e]);
-        let dx = ax - bitcast<i32>(tp_triangles[base + f]);
-        let dy = ay - bitcast<i32>(tp_triangles[base + 3u + f]);
-        // At the corner of the first tile where the edge function is greatest; from tile to tile it runs in steps of
-        // 8 pixels, 2^11 subpixels.
-        let x = origin.x + select(7, 0, dy > 0);
-        let y = origin.y + select(0, 7, dx > 0);
-        a[e] = -dy;
-        b[e] = dx;
-        c[e] = tp_edge_floor(dx, y * 256 - ay, dy, x * 256 - ax, tp_edge_bias(dx, dy), 11u);
+    let px = vec3<i32>(bitcast<i32>(tp_triangles[base]), bitcast<i32>(tp_triangles[base + 1u]), bitcast<i32>(tp_triangles[base + 2u]));
+    let py = vec3<i32>(bitcast<i32>(tp_triangles[base + 3u]), bitcast<i32>(tp_triangles[base + 4u]), bitcast<i32>(tp_triangles[base + 5u]));
+    let dx = px - px.yzx;
+    let dy = py - py.yzx;
+    let qx = origin.x * 256 - px;
+    let qy = origin.y * 256 - py;
+    let c = vec3<i32>(
+        tp_edge_floor(dx.x, qy.x, dy.x, qx.x, tp_edge_bias(dx.x, dy.x), 8u),
+        tp_edge_floor(dx.y, qy.y, dy.y, qx.y, tp_edge_bias(dx.y, dy.y), 8u),
+        tp_edge_floor(dx.z, qy.z, dy.z, qx.z, tp_edge_bias(dx.z, dy.z), 8u));
+    let a = -dy;
+    let b = dx;
+    for (var k = 0u; k < 3u; k++) {
+        tp_lists[at + k] = bitcast<u32>(c[k]);
+        tp_lists[at + 3u + k] = bitcast<u32>(a[k]);
+        tp_lists[at + 6u + k] = bitcast<u32>(b[k]);
     }
-    var mask = vec2<u32>(0u);
+    tp_lists[at + 9u] = u32(left) | (u32(right) << 8u) | (u32(top) << 16u) | (u32(bottom) << 24u);
+    tp_lists[at + 10u] = tp_triangles[base + TP_TRIANGLE_PLANES] * 4u;
+    tp_lists[at + 11u] = tp_triangles[base + TP_TRIANGLE_DRAW] | (tp_triangles[base + TP_TRIANGLE_FLAGS] << 24u);
+    // Each edge function at the corner of a tile where it is greatest.
+    let most = c + 7 * (max(a, vec3<i32>(0)) + max(b, vec3<i32>(0)));
     let small = x0 == x1 || y0 == y1;
+    var mask = vec2<u32>(0u);
     for (var y = 0; y < 8; y++) {
         var row = span;
         if (!small) {
             row = 0u;
             for (var x = x0; x <= x1; x++) {
-                let e0 = c[0] + a[0] * x + b[0] * y;
-                let e1 = c[1] + a[1] * x + b[1] * y;
-                let e2 = c[2] + a[2] * x + b[2] * y;
-                row |= select(0u, 1u, (e0 | e1 | e2) >= 0) << u32(x);
+                let e = most + a * (8 * x) + b * (8 * y);
+                row |= select(0u, 1u, (e.x | e.y | e.z) >= 0) << u32(x);
             }
         }
         row = select(0u, row, y >= y0 && y <= y1) << (u32(y & 3) * 8u);
@@ -78,7 +87,8 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) gro
         if (entry < 32u) {
             var mask = vec2<u32>(0u);
             if (entry < count) {
-                mask = tp_tile_mask(tp_lists[tp.list_base + block * 32u + entry] * TP_TRIANGLE_WORDS, origin);
+                let at = block * 32u + entry;
+                mask = tp_entry(tp_lists[tp.list_base + at] * TP_TRIANGLE_WORDS, tp.entry_base + at * TP_ENTRY_WORDS, origin);
             }
             tp_tiles[entry] = mask;
         }

@@ -66,7 +66,10 @@ pub fn hardware_adapter_present() -> bool {
 fn open() -> Result<Gpu, String> {
     let adapter = adapter()?;
     let info = adapter.get_info();
-    let wanted = wgpu::Features::SUBGROUP | wgpu::Features::SHADER_F64;
+    let wanted = wgpu::Features::SUBGROUP
+        | wgpu::Features::SHADER_F64
+        | wgpu::Features::TIMESTAMP_QUERY
+        | wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES;
     let features = adapter.features() & wanted;
     let descriptor = wgpu::DeviceDescriptor {
         label: Some("tepui"),

@@ -8,16 +8,19 @@ use bytemuck::cast_slice;
 use super::front::HostFront;
 use super::kernels::{BlendKey, FineKey, feature};
 use super::params::Params;
+use super::records::{DRAW_WORDS, pack_draw};
 use super::texture::{Heap, TextureClass};
 use crate::device::{ColorFormat, DepthFormat, SurfaceFormat};
 use crate::draw::{Batch, Clear, Step};
 use crate::raster::layout::*;
 use crate::raster::{blend::mask_bits, formats};
 
+/// Words of an entry's record: see `shaders/tile.wgsl`.
+pub const ENTRY_WORDS: u32 = 12;
 /// Words of the list buffer in front of the masks.
 pub const LIST_HEAD: u32 = 16;
 /// Most blocks of 32 entries in the lists of one segment: their words fit a binding of 128 MiB beside the rest.
-const MOST_LIST_BLOCKS: u64 = 200_000;
+const MOST_LIST_BLOCKS: u64 = 56_000;
 /// Most words of masks.
 const MOST_MASK_WORDS: u64 = 8 << 20;
 
@@ -48,15 +51,13 @@ struct DrawNeeds {
     /// Flags of the fragment state that decide between features.
     flags: u32,
     blend: Option<([u32; 4], [u32; 2])>,
+    depth_func: u32,
     textures: Vec<TextureClass>,
 }
 
-fn needs(batch: &Batch, index: usize, format: SurfaceFormat) -> DrawNeeds {
-    let draw = &batch.draws[index];
-    let state = &batch.fragment_states[draw.record.fragment_state as usize];
-    let raster = &batch.raster_states[draw.record.raster_state as usize];
-    let program = &*draw.fragment_program;
-    let mut flags = state.flags;
+/// The fragment flags of a draw that the surface's buffers can serve.
+fn served_flags(batch: &Batch, index: usize, format: SurfaceFormat) -> u32 {
+    let mut flags = batch.fragment_states[batch.draws[index].record.fragment_state as usize].flags;
     if format.depth == DepthFormat::None {
         flags &= !(fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE);
     }
@@ -66,6 +67,15 @@ fn needs(batch: &Batch, index: usize, format: SurfaceFormat) -> DrawNeeds {
     if format.color == ColorFormat::Rgba32f {
         flags &= !fragment_flags::LOGIC_OP;
     }
+    flags
+}
+
+fn needs(batch: &Batch, index: usize, format: SurfaceFormat) -> DrawNeeds {
+    let draw = &batch.draws[index];
+    let state = &batch.fragment_states[draw.record.fragment_state as usize];
+    let raster = &batch.raster_states[draw.record.raster_state as usize];
+    let program = &*draw.fragment_program;
+    let flags = served_flags(batch, index, format);
     let on = |bit: u32| flags & bit != 0;
     let mut features = 0;
     let mut set = |bit: u32, on: bool| features |= if on { bit } else { 0 };
@@ -92,7 +102,7 @@ fn needs(batch: &Batch, index: usize, format: SurfaceFormat) -> DrawNeeds {
         | fragment_flags::ALPHA_TEST
         | fragment_flags::BLEND
         | fragment_flags::LOGIC_OP;
-    DrawNeeds { program: program.id, features, flags: flags & deciding, blend, textures }
+    DrawNeeds { program: program.id, features, flags: flags & deciding, blend, depth_func: state.depth_func, textures }
 }
 
 /// A segment that grows draw by draw.
@@ -107,8 +117,15 @@ struct Segment {
 impl Segment {
     fn new(needs: &DrawNeeds, format: SurfaceFormat, draw: u32, first: usize) -> Segment {
         let blend = needs.blend.map_or(BlendKey::Fixed([0; 4], [0; 2]), |(f, e)| BlendKey::Fixed(f, e));
-        let key =
-            FineKey { program: needs.program, color: format.color, features: needs.features, blend, textures: needs.textures.clone() };
+        let key = FineKey {
+            program: needs.program,
+            color: format.color,
+            features: needs.features,
+            blend,
+            depth_func: Some(needs.depth_func),
+            depth_bits: format.depth.bits(),
+            textures: needs.textures.clone(),
+        };
         Segment { key, flags: needs.flags, draw, first, touches: 0 }
     }
 
@@ -124,6 +141,13 @@ impl Segment {
         // Colours that some draws do not write at all: their mask says so.
         if (self.key.features ^ needs.features) & feature::COLOR_WRITE != 0 {
             self.key.features |= feature::COLOR_MASK;
+        }
+        if needs.features & feature::DEPTH_TEST != 0 {
+            if self.key.features & feature::DEPTH_TEST == 0 {
+                self.key.depth_func = Some(needs.depth_func);
+            } else if self.key.depth_func != Some(needs.depth_func) {
+                self.key.depth_func = None;
+            }
         }
         if let Some((f, e)) = needs.blend {
             if self.key.features & feature::BLEND == 0 {
@@ -178,16 +202,15 @@ pub fn plan(batch: &Batch, front: &HostFront, heap: &mut Heap, size: [u32; 2], f
         ..Params::default()
     };
     let words = &mut plan.records;
-    base.draws = align4(words);
-    batch.draws.iter().for_each(|d| words.extend_from_slice(cast_slice(std::slice::from_ref(&d.record))));
-    base.raster_states = align4(words);
-    words.extend_from_slice(cast_slice(&batch.raster_states));
-    base.fragment_states = align4(words);
-    words.extend_from_slice(cast_slice(&batch.fragment_states));
-    base.stipples = align4(words);
+    words.resize(batch.draws.len() * DRAW_WORDS, 0);
+    let stipples = align4(words);
     words.extend_from_slice(cast_slice(&batch.polygon_stipples));
-    base.textures = align4(words);
+    let textures = align4(words);
     heap.records(&batch.textures, words);
+    for index in 0..batch.draws.len() {
+        let flags = served_flags(batch, index, format);
+        words[index * DRAW_WORDS..][..DRAW_WORDS].copy_from_slice(&pack_draw(batch, index, flags, stipples, textures));
+    }
 
     let bins = base.bins[0] as u64 * base.bins[1] as u64;
     let most_triangles = (MOST_MASK_WORDS / bins.max(1)).max(32) as usize * 32;
@@ -236,7 +259,10 @@ pub fn plan(batch: &Batch, front: &HostFront, heap: &mut Heap, size: [u32; 2], f
     plan
 }
 
-fn finish(plan: &mut Plan, segment: Segment, end: usize, base: Params, bins: u64) {
+fn finish(plan: &mut Plan, mut segment: Segment, end: usize, base: Params, bins: u64) {
+    if segment.key.features & feature::DEPTH_TEST == 0 {
+        segment.key.depth_func = None;
+    }
     let mut params = base;
     params.first_triangle = segment.first as u32;
     params.triangle_count = (end - segment.first) as u32;
@@ -256,5 +282,6 @@ pub fn place_lists(params: &mut Params, mask_capacity: u32) -> u32 {
     params.active_base = params.bin_base + bins * 2;
     params.list_base = params.active_base + bins;
     params.tile_base = params.list_base + params.list_blocks * 32;
-    params.tile_base + params.list_blocks * 64
+    params.entry_base = params.tile_base + params.list_blocks * 64;
+    params.entry_base + params.list_blocks * 32 * ENTRY_WORDS
 }

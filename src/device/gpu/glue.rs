@@ -89,7 +89,7 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
             columns.push_str("let zx = tp_fma(x, p1, p0);\n");
         }
         if needs_w {
-            columns.push_str("let wx = tp_fma(x, p4, p3);\n");
+            let _ = writeln!(columns, "let wx = {}(x, p4, p3);", if exact { "tp_fma" } else { "fma" });
         }
     }
     if needs_z {
@@ -107,7 +107,7 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
     {
         let columns = if hoist { &mut glue.planes } else { &mut glue.shade };
         if quad {
-            columns.push_str("let qx = f32(px & ~1u);\nlet qx1 = qx + 1.0;\n");
+            columns.push_str("let qx = f32(i32(px & ~1u));\nlet qx1 = qx + 1.0;\n");
             if needs_w {
                 columns.push_str("let qwx = tp_fma(qx, p4, p3);\nlet qwx1 = tp_fma(qx1, p4, p3);\n");
             }
@@ -127,10 +127,10 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
     }
     let shade = &mut glue.shade;
     if needs_w {
-        shade.push_str("let w = tp_fma(y, p5, wx);\nlet reciprocal = 1.0 / w;\n");
+        let _ = writeln!(shade, "let w = {}(y, p5, wx);\nlet reciprocal = 1.0 / w;", if exact { "tp_fma" } else { "fma" });
     }
     if quad {
-        shade.push_str("let qy = f32(py & ~1u);\nlet qy1 = qy + 1.0;\n");
+        shade.push_str("let qy = f32(py & ~1);\nlet qy1 = qy + 1.0;\n");
         if needs_w {
             shade.push_str(
                 "let qr0 = 1.0 / tp_fma(qy, p5, qwx);\nlet qr1 = 1.0 / tp_fma(qy, p5, qwx1);\nlet qr2 = 1.0 / tp_fma(qy1, p5, qwx);\n",

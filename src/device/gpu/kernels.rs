@@ -10,7 +10,7 @@ use super::source::{Options, expand, files, record_constants};
 use super::texture::TextureClass;
 use crate::device::ColorFormat;
 use crate::program::Program;
-use crate::raster::layout::blend_factor;
+use crate::raster::layout::blend_factor::{self, ONE_MINUS_SRC_ALPHA, SRC_ALPHA};
 
 /// Stages that know nothing of programs and states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -69,6 +69,10 @@ pub struct FineKey {
     pub features: u32,
     /// How it blends.
     pub blend: BlendKey,
+    /// Depth function, where all draws that test have the same.
+    pub depth_func: Option<u32>,
+    /// Bits of depth.
+    pub depth_bits: u32,
     /// What each texture slot needs.
     pub textures: Vec<TextureClass>,
 }
@@ -202,7 +206,13 @@ impl Kernels {
         options.flag("WRITES_DEPTH", writes_depth);
         // The stencil buffer changes where the depth test fails, but not where the program or the alpha test kills.
         options.flag("NEEDS_KILL_FIRST", on(feature::STENCIL_TEST) && (program.discards || on(feature::ALPHA_TEST)));
-        options.flag("RASTER_STATE", on(feature::DEPTH_TEST) || on(feature::STIPPLE));
+        options.flag("TEXTURES", on(feature::SHADES) && !key.textures.is_empty());
+        let mut extra = String::new();
+        let _ = writeln!(extra, "const TP_DEPTH_SCALE = {}.0;", (1u64 << key.depth_bits) - 1);
+        if let Some(func) = key.depth_func {
+            options.flag("DEPTH_FUNC_FIXED", true);
+            let _ = writeln!(extra, "const TP_DEPTH_FUNC = {func}u;");
+        }
         options.flag("SUBGROUP8", shape.subgroup8);
         options.flag("FMA64", shape.fma64);
         options.flag(
@@ -218,7 +228,6 @@ impl Kernels {
         options.flag(["COLOR_WORDS_1", "COLOR_WORDS_2", "", "COLOR_WORDS_4"][key.color.words() - 1], true);
         options.flag("COLOR_UNORM", key.color != ColorFormat::Rgba32f);
         options.flag("COLOR_8BIT", matches!(key.color, ColorFormat::Rgba8 | ColorFormat::Rgbx8));
-        let mut extra = String::new();
         match key.blend {
             _ if !on(feature::BLEND) => {}
             BlendKey::Dynamic => {
@@ -227,6 +236,14 @@ impl Kernels {
             }
             BlendKey::Fixed(f, e) => {
                 options.flag("BLEND_CONSTANT", f.iter().any(|&f| f >= blend_factor::CONSTANT_COLOR));
+                let eight_bits = key.color == ColorFormat::Rgba8;
+                options.flag(
+                    "BLEND_ALPHA",
+                    eight_bits
+                        && !on(feature::MIXED)
+                        && f == [SRC_ALPHA, ONE_MINUS_SRC_ALPHA, SRC_ALPHA, ONE_MINUS_SRC_ALPHA]
+                        && e == [0; 2],
+                );
                 options.flag("BLEND_UNIFORM", f[0] == f[2] && f[1] == f[3] && e[0] == e[1]);
                 let _ = writeln!(extra, "const TP_BLEND_FACTORS = vec4<u32>({}u, {}u, {}u, {}u);", f[0], f[1], f[2], f[3]);
                 let _ = writeln!(extra, "const TP_BLEND_EQUATIONS = vec2<u32>({}u, {}u);", e[0], e[1]);

@@ -7,6 +7,8 @@ mod front;
 mod glue;
 mod kernels;
 mod params;
+mod profile;
+mod records;
 mod source;
 mod surface;
 #[cfg(test)]

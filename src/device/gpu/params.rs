@@ -30,20 +30,16 @@ pub struct Params {
     pub list_base: u32,
     /// Masks of entries: 64 words (one a tile) for each block of a list.
     pub tile_base: u32,
+    /// Records of entries, `ENTRY_WORDS` each.
+    pub entry_base: u32,
     /// Blocks that lists may take.
     pub list_blocks: u32,
     /// Row 0 is GL's top row.
     pub top_first: u32,
     /// Draw records.
     pub draws: u32,
-    /// Raster states.
-    pub raster_states: u32,
-    /// Fragment states.
-    pub fragment_states: u32,
-    /// Texture bindings.
-    pub textures: u32,
-    /// Polygon stipple patterns.
-    pub stipples: u32,
+    /// Reserved, zero.
+    pub reserved: [u32; 3],
     /// Largest depth value.
     pub depth_max: u32,
     /// Depth and stencil to clear to.

@@ -1,7 +1,7 @@
 //! Kernel sources: the WGSL files, the constants that come from the Rust records, and what a key leaves out.
 //!
-//! Lines `//#if FLAG`, `//#else`, `//#endif` and `//#insert NAME` in the shaders are read by [`expand`]. Everything else is
-//! plain WGSL.
+//! Lines `//#if FLAG`, `//#else`, `//#endif`, `//#insert NAME`, `//#load NAME BUFFER PLACE` and the words `WORD(NAME, k)` in the
+//! shaders are read by [`expand`]. Everything else is plain WGSL.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
@@ -40,12 +40,37 @@ pub mod files {
     pub const COLOR: &str = include_str!("../../../shaders/color.wgsl");
     pub const BLEND: &str = include_str!("../../../shaders/blend.wgsl");
     pub const FRAGMENT_OPS: &str = include_str!("../../../shaders/fragment_ops.wgsl");
+    pub const STATE: &str = include_str!("../../../shaders/state.wgsl");
     pub const FINE: &str = include_str!("../../../shaders/fine.wgsl");
     pub const TEXTURE: &str = include_str!("../../../shaders/texture.wgsl");
 }
 
 /// Reads the `//#` lines of a source.
 pub fn expand(source: &str, options: &Options, out: &mut String) {
+    expand_with(source, options, &mut Vec::new(), out);
+}
+
+/// Replaces `WORD(load, k)`: word `k` of what `//#load` loaded, the same for all lanes of a workgroup. Where a workgroup is
+/// one subgroup of eight lanes, each lane loaded one word, which is broadcast; elsewhere it is read where it is wanted.
+fn words_of_loads(line: &str, options: &Options, loads: &[(String, String)], out: &mut String) {
+    let mut rest = line;
+    while let Some(at) = rest.find("WORD(") {
+        out.push_str(&rest[..at]);
+        let end = at + rest[at..].find(')').expect("WORD( has its )");
+        let (name, k) = rest[at + 5..end].split_once(',').expect("WORD(load, k)");
+        let (name, k) = (name.trim(), k.trim());
+        if options.flags.contains("SUBGROUP8") {
+            let _ = write!(out, "subgroupBroadcast({name}, {k}u)");
+        } else {
+            let buffer = &loads.iter().rev().find(|l| l.0 == name).expect("a //#load before its WORD").1;
+            let _ = write!(out, "{buffer}[{name}_at + {k}u]");
+        }
+        rest = &rest[end + 1..];
+    }
+    out.push_str(rest);
+}
+
+fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)>, out: &mut String) {
     // For each open //#if: whether its text counts.
     let mut open: Vec<bool> = Vec::new();
     for line in source.lines() {
@@ -62,13 +87,24 @@ pub fn expand(source: &str, options: &Options, out: &mut String) {
             Some("//#endif") => {
                 open.pop();
             }
+            Some("//#load") if open.iter().all(|&o| o) => {
+                let (name, buffer) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
+                let at = words.collect::<Vec<_>>().join(" ");
+                if options.flags.contains("SUBGROUP8") {
+                    let _ = writeln!(out, "let {name} = {buffer}[{at} + column];");
+                } else {
+                    let _ = writeln!(out, "let {name}_at = {at};");
+                }
+                loads.push((name.to_string(), buffer.to_string()));
+            }
+            Some("//#state") => expand_with(files::STATE, options, loads, out),
             Some("//#insert") if open.iter().all(|&o| o) => {
                 let name = words.next().unwrap_or_default();
                 out.push_str(options.inserts.get(name).map_or("", |t| t));
                 out.push('\n');
             }
             _ if open.iter().all(|&o| o) => {
-                out.push_str(line);
+                words_of_loads(line, options, loads, out);
                 out.push('\n');
             }
             _ => {}
@@ -88,10 +124,8 @@ pub fn record_constants() -> String {
     let mut out = String::new();
     let size = |bytes: usize| bytes / 4;
     let _ = writeln!(out, "const TP_TRIANGLE_WORDS = {}u;", size(size_of::<Triangle>()));
-    let _ = writeln!(out, "const TP_DRAW_WORDS = {}u;", size(size_of::<DrawRecord>()));
-    let _ = writeln!(out, "const TP_RASTER_WORDS = {}u;", size(size_of::<RasterState>()));
-    let _ = writeln!(out, "const TP_FRAGMENT_WORDS = {}u;", size(size_of::<FragmentState>()));
-    let _ = writeln!(out, "const TP_STENCIL_WORDS = {}u;", size(size_of::<StencilFace>()));
+    let _ = writeln!(out, "const TP_DRAW_WORDS = {}u;", super::records::DRAW_WORDS);
+    let _ = writeln!(out, "const TP_ENTRY_WORDS = {}u;", super::encode::ENTRY_WORDS);
     words!(
         out,
         Triangle,
@@ -100,28 +134,6 @@ pub fn record_constants() -> String {
         "TP_TRIANGLE_COLUMNS" = columns,
         "TP_TRIANGLE_ROWS" = rows,
         "TP_TRIANGLE_PLANES" = planes,
-    );
-    words!(
-        out,
-        DrawRecord,
-        "TP_DRAW_FRAGMENT_UNIFORMS" = fragment_uniforms,
-        "TP_DRAW_RASTER_STATE" = raster_state,
-        "TP_DRAW_FRAGMENT_STATE" = fragment_state,
-        "TP_DRAW_FIRST_TEXTURE" = first_texture,
-    );
-    words!(out, RasterState, "TP_RASTER_DEPTH_RANGE" = depth_range, "TP_RASTER_POLYGON_STIPPLE" = polygon_stipple);
-    words!(
-        out,
-        FragmentState,
-        "TP_FRAGMENT_FLAGS" = flags,
-        "TP_FRAGMENT_DEPTH_FUNC" = depth_func,
-        "TP_FRAGMENT_ALPHA_FUNC" = alpha_func,
-        "TP_FRAGMENT_ALPHA_REF" = alpha_ref,
-        "TP_FRAGMENT_STENCIL" = stencil,
-        "TP_FRAGMENT_BLEND_FACTORS" = blend_factors,
-        "TP_FRAGMENT_LOGIC_OP" = logic_op,
-        "TP_FRAGMENT_COLOR_MASK" = color_mask,
-        "TP_FRAGMENT_BLEND_COLOR" = blend_color,
     );
     for (name, value) in [
         ("TP_FRONT", triangle_flags::FRONT),

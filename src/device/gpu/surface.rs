@@ -1,7 +1,6 @@
 //! A surface whose pixels live on the GPU.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use bytemuck::{bytes_of, cast_slice};
 
@@ -11,6 +10,7 @@ use super::encode::{Action, place_lists, plan};
 use super::front::HostFront;
 use super::kernels::{Kernels, Stage};
 use super::params::Params;
+use super::profile::Profile;
 use super::texture::Heap;
 use crate::device::{Pixels, Surface, SurfaceFormat};
 use crate::draw::Batch;
@@ -54,12 +54,10 @@ pub struct GpuSurface {
     newer: Newer,
 }
 
-/// Counts of what ran, for `TEPUI_STATS`.
-static SEGMENTS: AtomicU64 = AtomicU64::new(0);
-
-fn stats() -> bool {
-    static ON: std::sync::OnceLock<bool> = std::sync::OnceLock::new();
-    *ON.get_or_init(|| std::env::var("TEPUI_STATS").is_ok_and(|v| v != "0"))
+/// `TEPUI_STATS`: 1 says what a batch held, 2 adds the times of its stages.
+pub fn stats_level() -> u32 {
+    static LEVEL: std::sync::OnceLock<u32> = std::sync::OnceLock::new();
+    *LEVEL.get_or_init(|| std::env::var("TEPUI_STATS").ok().and_then(|v| v.parse().ok()).unwrap_or(0))
 }
 
 impl GpuSurface {
@@ -214,6 +212,12 @@ impl GpuSurface {
         self.bind();
         let Some((_, stages, scan)) = &self.bind_groups else { return };
 
+        let mut profile = Profile::new(self.gpu);
+        let mut mark = |pass: &mut wgpu::ComputePass, name| {
+            if let Some(p) = &mut profile {
+                p.mark(pass, name);
+            }
+        };
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
@@ -221,6 +225,7 @@ impl GpuSurface {
                 let groups = count.div_ceil(stage_lanes).max(1);
                 (groups.min(32768), groups.div_ceil(32768))
             };
+            mark(&mut pass, "start");
             for (k, action) in plan.actions.iter().enumerate() {
                 pass.set_bind_group(0, stages, &[(k * PARAMS_STRIDE) as u32]);
                 match action {
@@ -228,32 +233,43 @@ impl GpuSurface {
                         pass.set_pipeline(&self.kernels.stage(self.gpu, Stage::Clear(format.color.words() as u32)));
                         let columns = (p.clear_max[0] - p.clear_min[0]) as u32;
                         pass.dispatch_workgroups(columns.div_ceil(shape.list_lanes), (p.clear_max[1] - p.clear_min[1]) as u32, 1);
+                        mark(&mut pass, "clear");
                     }
                     Action::Draw(p, key, draw) => {
                         let program = &batch.draws[*draw as usize].fragment_program;
                         let (x, y) = lanes(shape.list_lanes, p.triangle_count);
                         pass.set_pipeline(&self.kernels.stage(self.gpu, Stage::Bin));
                         pass.dispatch_workgroups(x, y, 1);
+                        mark(&mut pass, "bin");
                         let (x, y) = lanes(shape.list_lanes, p.bins[0] * p.bins[1] * p.supers);
                         pass.set_pipeline(&self.kernels.stage(self.gpu, Stage::Count));
                         pass.dispatch_workgroups(x, y, 1);
+                        mark(&mut pass, "count");
                         pass.set_pipeline(&self.kernels.stage(self.gpu, Stage::Scan));
                         pass.set_bind_group(1, scan, &[]);
                         pass.dispatch_workgroups(1, 1, 1);
+                        mark(&mut pass, "scan");
                         pass.set_pipeline(&self.kernels.stage(self.gpu, Stage::Emit));
                         pass.dispatch_workgroups(x, y, 1);
+                        mark(&mut pass, "emit");
                         pass.set_pipeline(&self.kernels.stage(self.gpu, Stage::Tile));
                         pass.dispatch_workgroups_indirect(&self.buffers.indirect, 0);
+                        mark(&mut pass, "tile");
                         pass.set_pipeline(&self.kernels.fine(self.gpu, key, program));
                         pass.dispatch_workgroups_indirect(&self.buffers.indirect, 12);
-                        SEGMENTS.fetch_add(1, Ordering::Relaxed);
+                        mark(&mut pass, "fine");
                     }
                 }
             }
         }
-        queue.submit([encoder.finish()]);
+        match profile {
+            Some(profile) => profile.print(self.gpu, encoder),
+            None => {
+                queue.submit([encoder.finish()]);
+            }
+        }
         self.newer = Newer::Gpu;
-        if stats() {
+        if stats_level() > 0 {
             let triangles = self.front.triangles.len();
             let draws = plan.actions.iter().filter(|a| matches!(a, Action::Draw(..))).count();
             eprintln!(
