@@ -3,6 +3,7 @@
 mod adapter;
 mod buffers;
 mod encode;
+mod fill;
 mod front;
 mod glue;
 mod kernels;

@@ -7,6 +7,7 @@ use bytemuck::{bytes_of, cast_slice};
 use super::adapter::Gpu;
 use super::buffers::{Growing, create};
 use super::encode::{Action, place_lists, plan};
+use super::fill::Fill;
 use super::front::HostFront;
 use super::kernels::{Kernels, Stage};
 use super::params::Params;
@@ -48,6 +49,7 @@ pub struct GpuSurface {
     readback: Option<wgpu::Buffer>,
     buffers: Buffers,
     heap: Heap,
+    fills: [Fill; 2],
     front: HostFront,
     bind_groups: Option<(u64, wgpu::BindGroup, wgpu::BindGroup)>,
     pixels: Pixels,
@@ -85,6 +87,7 @@ impl GpuSurface {
             readback: None,
             buffers,
             heap: Heap::new(device),
+            fills: [Fill::new(device), Fill::new(device)],
             front: HostFront::default(),
             bind_groups: None,
             pixels,
@@ -219,6 +222,10 @@ impl GpuSurface {
             }
         };
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut first_action = 0;
+        if let (Some(Action::Clear(p)), true) = (plan.actions.first(), shape.list_lanes < 64) {
+            first_action = clear_by_copy(&mut self.fills, self.gpu, &mut encoder, p, &self.pixels, [&self.color, &self.depth]) as usize;
+        }
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             let lanes = |stage_lanes: u32, count: u32| {
@@ -226,7 +233,7 @@ impl GpuSurface {
                 (groups.min(32768), groups.div_ceil(32768))
             };
             mark(&mut pass, "start");
-            for (k, action) in plan.actions.iter().enumerate() {
+            for (k, action) in plan.actions.iter().enumerate().skip(first_action) {
                 pass.set_bind_group(0, stages, &[(k * PARAMS_STRIDE) as u32]);
                 match action {
                     Action::Clear(p) => {
@@ -281,6 +288,35 @@ impl GpuSurface {
             );
         }
     }
+}
+
+/// Clears all of a surface by copies; false where the clear is not of that kind.
+fn clear_by_copy(
+    fills: &mut [Fill; 2],
+    gpu: &Gpu,
+    encoder: &mut wgpu::CommandEncoder,
+    p: &Params,
+    pixels: &Pixels,
+    buffers: [&wgpu::Buffer; 2],
+) -> bool {
+    let words = pixels.format.color.words();
+    let used = if pixels.format.stencil { !0 } else { 0xff_ffff };
+    let (color, depth) = (p.clear_mask != [0; 4], p.clear_depth_mask != 0);
+    let whole = p.clear_min == [0; 2] && p.clear_max == p.size.map(|s| s as i32);
+    if !whole || color && p.clear_mask[..words] != [!0; 4][..words] || depth && p.clear_depth_mask & used != used {
+        return false;
+    }
+    for (k, (on, pattern, words)) in
+        [(color, &p.clear_color[..words], pixels.color.len()), (depth, std::slice::from_ref(&p.clear_depth), pixels.depth_stencil.len())]
+            .into_iter()
+            .enumerate()
+    {
+        if on {
+            fills[k].prepare(&gpu.device, &gpu.queue, pattern, words);
+            fills[k].copy(encoder, buffers[k], words);
+        }
+    }
+    true
 }
 
 impl Surface for GpuSurface {
