@@ -12,6 +12,8 @@ use crate::raster::layout::*;
 
 mod keys;
 mod pixels;
+#[cfg(test)]
+mod tests;
 mod uniforms;
 
 /// The parts of the derived state, kept from draw to draw.

@@ -182,8 +182,14 @@ fn finish(b: Build) -> FixedProgram {
         Text::structure("FragmentOut", ["color: vec4<f32>".to_string()]),
         b.t.body,
     );
-    let interface =
-        Interface { inputs: b.inputs, varyings: b.varyings, uniform_vec4: b.t.slots.len() as u32, shortcut, ..Interface::default() };
+    let interface = Interface {
+        inputs: b.inputs,
+        varyings: b.varyings,
+        uniform_vec4: b.t.slots.len() as u32,
+        texture_slots: textures,
+        shortcut,
+        ..Interface::default()
+    };
     let program = match Program::new(Stage::Fragment, wgsl, interface) {
         Ok(program) => program,
         Err(e) => unreachable!("a generated fragment program does not validate: {e}"),

@@ -13,6 +13,8 @@ mod environment;
 mod fragment;
 mod lighting;
 mod slots;
+#[cfg(test)]
+mod tests;
 mod texgen;
 mod text;
 mod vertex;
