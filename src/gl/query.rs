@@ -100,8 +100,6 @@ impl Value {
     /// As Get*iv returns it: floats are rounded, normalised values scaled to the whole range, all saturated.
     pub fn as_i32(&self) -> impl Iterator<Item = i32> + '_ {
         self.numbers().map(move |v| match self.kind {
-            // Masks are unsigned: their top bit becomes the sign.
-            Kind::Int if v > i32::MAX as f64 => v as u32 as i32,
             Kind::Bool | Kind::Int => v as i32,
             Kind::Float => v.round() as i32,
             Kind::Normalized => ((u32::MAX as f64 * v - 1.0) / 2.0).round_ties_even() as i32,

@@ -180,7 +180,7 @@ impl Context {
             GL_LOGIC_OP_MODE => Value::int(color.logic_op),
             GL_DRAW_BUFFER | GL_DRAW_BUFFER0 => Value::int(color.draw_buffer),
             GL_COLOR_WRITEMASK => Value::bools(&color.color_mask),
-            GL_INDEX_WRITEMASK => Value::int(color.index_mask),
+            GL_INDEX_WRITEMASK => Value::int(color.index_mask as i32),
             GL_COLOR_CLEAR_VALUE => Value::normalized(&color.clear_color),
             GL_INDEX_CLEAR_VALUE => Value::float(color.clear_index),
             GL_ACCUM_CLEAR_VALUE => Value::normalized(&s.accum_clear),
@@ -284,7 +284,7 @@ fn query_limit(pname: GLenum) -> Option<Value> {
         GL_POINT_SIZE_RANGE | GL_ALIASED_POINT_SIZE_RANGE | GL_LINE_WIDTH_RANGE | GL_ALIASED_LINE_WIDTH_RANGE => {
             Value::floats(&[1.0, 255.0])
         }
-        GL_POINT_SIZE_GRANULARITY | GL_LINE_WIDTH_GRANULARITY => Value::float(0.125),
+        GL_POINT_SIZE_GRANULARITY | GL_LINE_WIDTH_GRANULARITY => Value::float(0.1),
         GL_AUX_BUFFERS | GL_INDEX_BITS | GL_INDEX_MODE | GL_STEREO => Value::int(0),
         GL_RGBA_MODE => Value::int(1),
         GL_NUM_COMPRESSED_TEXTURE_FORMATS => Value::int(0),

@@ -21,6 +21,8 @@ pub const TEXTURE_STACK_DEPTH: usize = 10;
 pub const ATTRIB_STACK_DEPTH: usize = 16;
 /// Depth of the name stack.
 pub const NAME_STACK_DEPTH: usize = 64;
+/// All bits of a stencil buffer: what the stencil masks are at first.
+pub const STENCIL_MASK: u32 = 0xff;
 /// Nesting of display lists.
 pub const MAX_LIST_NESTING: usize = 64;
 
@@ -458,8 +460,8 @@ impl Default for StencilSide {
         StencilSide {
             func: GL_ALWAYS,
             reference: 0,
-            value_mask: !0,
-            write_mask: !0,
+            value_mask: STENCIL_MASK,
+            write_mask: STENCIL_MASK,
             fail: GL_KEEP,
             depth_fail: GL_KEEP,
             depth_pass: GL_KEEP,

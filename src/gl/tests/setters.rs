@@ -73,11 +73,11 @@ const ROWS: &[Row] = &[
     row(GL_STENCIL_FUNC, e!(GL_ALWAYS), |c| c.stencil_func(GL_EQUAL, 3, 15), e!(GL_EQUAL)).not(|c| c.stencil_func(GL_ZERO, 3, 15), EN),
     row(GL_STENCIL_REF, &[0.0], |c| c.stencil_func(GL_EQUAL, 999, 15), &[255.0]),
     row(GL_STENCIL_REF, &[0.0], |c| c.stencil_func(GL_EQUAL, -5, 15), &[0.0]),
-    row(GL_STENCIL_VALUE_MASK, &[4294967295.0], |c| c.stencil_func(GL_EQUAL, 3, 15), &[15.0]),
+    row(GL_STENCIL_VALUE_MASK, &[255.0], |c| c.stencil_func(GL_EQUAL, 3, 15), &[15.0]),
     row(GL_STENCIL_BACK_FUNC, e!(GL_ALWAYS), |c| c.stencil_func_separate(GL_BACK, GL_LESS, 1, 3), e!(GL_LESS))
         .not(|c| c.stencil_func_separate(GL_LEFT, GL_LESS, 1, 3), EN),
     row(GL_STENCIL_BACK_FUNC, e!(GL_ALWAYS), |c| c.stencil_func_separate(GL_FRONT, GL_LESS, 1, 3), e!(GL_ALWAYS)),
-    row(GL_STENCIL_BACK_VALUE_MASK, &[4294967295.0], |c| c.stencil_func(GL_EQUAL, 3, 7), &[7.0]),
+    row(GL_STENCIL_BACK_VALUE_MASK, &[255.0], |c| c.stencil_func(GL_EQUAL, 3, 7), &[7.0]),
     row(GL_STENCIL_FAIL, e!(GL_KEEP), |c| c.stencil_op(GL_ZERO, GL_INCR, GL_DECR_WRAP), e!(GL_ZERO))
         .not(|c| c.stencil_op(GL_ONE, GL_KEEP, GL_KEEP), EN),
     row(GL_STENCIL_PASS_DEPTH_FAIL, e!(GL_KEEP), |c| c.stencil_op(GL_ZERO, GL_INCR, GL_DECR_WRAP), e!(GL_INCR))
@@ -85,8 +85,8 @@ const ROWS: &[Row] = &[
     row(GL_STENCIL_PASS_DEPTH_PASS, e!(GL_KEEP), |c| c.stencil_op(GL_ZERO, GL_INCR, GL_DECR_WRAP), e!(GL_DECR_WRAP)),
     row(GL_STENCIL_BACK_FAIL, e!(GL_KEEP), |c| c.stencil_op_separate(GL_BACK, GL_INVERT, GL_KEEP, GL_KEEP), e!(GL_INVERT))
         .not(|c| c.stencil_op_separate(GL_ZERO, GL_INVERT, GL_KEEP, GL_KEEP), EN),
-    row(GL_STENCIL_WRITEMASK, &[4294967295.0], |c| c.stencil_mask(0xf0), &[240.0]),
-    row(GL_STENCIL_BACK_WRITEMASK, &[4294967295.0], |c| c.stencil_mask_separate(GL_BACK, 1), &[1.0])
+    row(GL_STENCIL_WRITEMASK, &[255.0], |c| c.stencil_mask(0xf0), &[240.0]),
+    row(GL_STENCIL_BACK_WRITEMASK, &[255.0], |c| c.stencil_mask_separate(GL_BACK, 1), &[1.0])
         .not(|c| c.stencil_mask_separate(GL_NONE, 1), EN),
     row(GL_STENCIL_CLEAR_VALUE, &[0.0], |c| c.clear_stencil(300), &[300.0]),
     row(GL_DEPTH_FUNC, e!(GL_LESS), |c| c.depth_func(GL_GEQUAL), e!(GL_GEQUAL)).not(|c| c.depth_func(GL_NEVER - 1), EN),
@@ -103,7 +103,7 @@ const ROWS: &[Row] = &[
     row(GL_BLEND_COLOR, ZERO4, |c| c.blend_color(0.5, 2.0, -1.0, 1.0), &[0.5, 1.0, 0.0, 1.0]),
     row(GL_LOGIC_OP_MODE, e!(GL_COPY), |c| c.logic_op(GL_XOR), e!(GL_XOR)).not(|c| c.logic_op(GL_SET + 1), EN),
     row(GL_COLOR_WRITEMASK, WHITE, |c| c.color_mask(true, false, false, true), &[1.0, 0.0, 0.0, 1.0]),
-    row(GL_INDEX_WRITEMASK, &[4294967295.0], |c| c.index_mask(5), &[5.0]),
+    row(GL_INDEX_WRITEMASK, &[-1.0], |c| c.index_mask(5), &[5.0]),
     row(GL_COLOR_CLEAR_VALUE, ZERO4, |c| c.clear_color(0.25, 1.5, -0.5, 1.0), &[0.25, 1.0, 0.0, 1.0]),
     row(GL_INDEX_CLEAR_VALUE, &[0.0], |c| c.clear_index(7.5), &[7.5]),
     row(GL_ACCUM_CLEAR_VALUE, ZERO4, |c| c.clear_accum(-2.0, 0.5, 3.0, -0.25), &[-1.0, 0.5, 1.0, -0.25]),
