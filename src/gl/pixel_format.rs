@@ -91,6 +91,13 @@ pub(crate) enum Groups {
     Depth(Vec<f64>),
 }
 
+/// An empty vector with room for `count` values; None where there is not that much memory, which would else end the process.
+fn room<T>(count: usize) -> Option<Vec<T>> {
+    let mut out = Vec::new();
+    out.try_reserve_exact(count).ok()?;
+    Some(out)
+}
+
 /// A client image: its size in groups and the groups.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ClientImage {
@@ -110,28 +117,28 @@ impl ClientImage {
         let source = Source { bytes, layout, size, swap: if store.swap_bytes { element_bytes(ty)? } else { 1 } };
         let groups = match format {
             GL_COLOR_INDEX | GL_STENCIL_INDEX if ty == GL_BITMAP => {
-                let mut out = Vec::with_capacity(count);
+                let mut out = room(count)?;
                 source.rows(|row| out.extend((0..size[0]).map(|x| bit(row, layout.bit + x, store.lsb_first) as u32)));
                 Groups::Index(out)
             }
             GL_COLOR_INDEX | GL_STENCIL_INDEX => {
-                let mut out = Vec::with_capacity(count);
+                let mut out = room(count)?;
                 source.rows(|row| read_indices(row, ty, &mut out));
                 Groups::Index(out)
             }
             GL_DEPTH_COMPONENT => {
-                let mut out = Vec::with_capacity(count);
+                let mut out = room(count)?;
                 source.rows(|row| read_normalized(row, ty, |v| out.push(v)));
                 Groups::Depth(out)
             }
             _ => match rgba8_reader(format, ty) {
                 Some(read) => {
-                    let mut out = Vec::with_capacity(count);
+                    let mut out = room(count)?;
                     source.rows(|row| read(row, &mut out));
                     Groups::Rgba8(out)
                 }
                 None => {
-                    let mut out = Vec::with_capacity(count);
+                    let mut out = room(count)?;
                     source.rows(|row| read_rgba(row, format, ty, &mut out));
                     Groups::Rgba(out)
                 }

@@ -238,7 +238,8 @@ impl Context {
         pixels: Option<&[u8]>,
     ) {
         let proxy = ImageTarget::from_enum(target).is_some_and(|t| t.proxy);
-        let image = if proxy {
+        // What is refused for its size is not read.
+        let image = if proxy || size.iter().any(|&n| n > MAX_TEXTURE_SIZE + 2) {
             None
         } else {
             pixels.and_then(|bytes| ClientImage::unpack(&self.state.unpack, bytes, size, dimensions == 3, format, ty))

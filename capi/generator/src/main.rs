@@ -8,6 +8,7 @@ use std::process::ExitCode;
 
 mod enums;
 mod families;
+mod fuzz;
 mod headers;
 mod registry;
 mod scan;
@@ -40,6 +41,7 @@ fn main() -> ExitCode {
     let outputs = [
         ("src/gl/enums.rs", enums::write(&registry)),
         ("capi/src/generated/commands.rs", shims::write(&registry, &sources)),
+        ("capi/examples/fuzz/calls.rs", fuzz::write(&registry)),
         ("include/GL/gl.h", headers::gl(&registry)),
         ("include/GL/glext.h", headers::glext(&registry)),
     ];

@@ -13,6 +13,8 @@ pub struct Param {
     pub name: String,
     /// Its C type, as in `const GLfloat *`.
     pub ctype: String,
+    /// The group of enums that its values come from.
+    pub group: Option<String>,
 }
 
 /// A command.
@@ -47,6 +49,8 @@ pub struct Registry {
     pub commands: BTreeMap<String, Command>,
     /// Versions, then extensions.
     pub groups: Vec<Group>,
+    /// Names of the enums that a parameter takes, by group.
+    pub enum_groups: BTreeMap<String, Vec<String>>,
 }
 
 fn text(node: Node) -> String {
@@ -66,7 +70,8 @@ fn declaration(node: Node) -> Param {
             ctype.push_str(n.text().unwrap_or(""));
         }
     }
-    Param { name, ctype: ctype.split_whitespace().collect::<Vec<_>>().join(" ") }
+    let group = node.attribute("group").map(str::to_string);
+    Param { name, ctype: ctype.split_whitespace().collect::<Vec<_>>().join(" "), group }
 }
 
 fn group(node: Node, name: &str) -> Group {
@@ -119,7 +124,12 @@ impl Registry {
                 commands.insert(proto.name.clone(), Command { name: proto.name, result: proto.ctype, params, alias });
             }
         }
-        Registry { enums, commands, groups }
+        let mut enum_groups = BTreeMap::new();
+        for node in root.children().filter(|n| n.has_tag_name("groups")).flat_map(|n| n.children()).filter(|n| n.has_tag_name("group")) {
+            let names = node.children().filter_map(|n| n.attribute("name")).filter(|name| enums.contains_key(*name));
+            enum_groups.insert(node.attribute("name").unwrap_or_default().to_string(), names.map(str::to_string).collect::<Vec<_>>());
+        }
+        Registry { enums, commands, groups, enum_groups }
     }
 
     /// Names of the commands of the versions up to `GL_VERSION_1_1`.

@@ -28,7 +28,7 @@ impl Context {
             return self.set_error(GL_INVALID_VALUE, "glArrayElement: index");
         };
         let arrays = self.arrays.slots;
-        let live = |array: &Array| array.enabled && !array.pointer.is_null();
+        let live = |array: &Array| array.is_live();
         for (slot, array) in arrays.iter().enumerate().skip(1).filter(|(_, array)| live(array)) {
             // SAFETY: the client promises that the element is there.
             let value = unsafe { element(array, index) };
@@ -193,7 +193,7 @@ impl Context {
     /// Edge flags of elements, where they are not all true.
     fn array_edge_flags(&self, elements: Elements) -> Option<Vec<bool>> {
         let array = &self.arrays.slots[EDGE_FLAG];
-        if !array.enabled || array.pointer.is_null() {
+        if !array.is_live() {
             return (!self.state.current.edge_flag).then(|| vec![false; elements.count() as usize]);
         }
         let mut values = vec![0.0; elements.count() as usize];

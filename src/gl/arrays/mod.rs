@@ -87,6 +87,11 @@ unsafe impl Send for Array {}
 unsafe impl Sync for Array {}
 
 impl Array {
+    /// Enabled, and with memory behind it: glInterleavedArrays with NULL makes addresses of a few bytes.
+    fn is_live(&self) -> bool {
+        self.enabled && self.pointer as usize >= 4096
+    }
+
     /// Bytes from one element to the next.
     fn step(&self) -> usize {
         if self.stride == 0 { self.ty.bytes() * usize::from(self.size) } else { self.stride as usize }
@@ -125,7 +130,7 @@ impl Arrays {
             .slots
             .iter()
             .enumerate()
-            .filter(|(_, array)| array.enabled && !array.pointer.is_null())
+            .filter(|(_, array)| array.is_live())
             .fold(0, |mask, (slot, _)| mask | 1 << slot);
         mask & !(1 << EDGE_FLAG | 1 << INDEX)
     }
