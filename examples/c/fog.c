@@ -26,7 +26,7 @@ int main(void)
         glNormal3d(0, 1, 0);
         for (int i = 0; i < 30; i++) {
             glBegin(GL_QUADS);
-            glVertex3d(-20, -1, 4 - i * 2), glVertex3d(20, -1, 4 - i * 2), glVertex3d(20, -1, 2 - i * 2), glVertex3d(-20, -1, 2 - i * 2);
+            glVertex3d(-20, -1, 8 - i * 2), glVertex3d(20, -1, 8 - i * 2), glVertex3d(20, -1, 6 - i * 2), glVertex3d(-20, -1, 6 - i * 2);
             glEnd();
         }
         for (int i = 0; i < 24; i++) {

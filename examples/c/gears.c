@@ -24,8 +24,8 @@ static void face(double inner, double outer, double z, int teeth, double depth, 
     for (int i = 0; i <= teeth * 4; i++) {
         double a = i * 2 * M_PI / (teeth * 4), r = outer + ((i & 3) == 1 || (i & 3) == 2 ? depth / 2 : -depth / 2);
         double first = front ? inner : r, second = front ? r : inner;
-        glVertex3d(second * cos(a), second * sin(a), z);
         glVertex3d(first * cos(a), first * sin(a), z);
+        glVertex3d(second * cos(a), second * sin(a), z);
     }
     glEnd();
 }

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# The whole proof: unit tests, C tests, scenes on the CPU executor and on the kernels. The last line sums everything up.
+set -u
+cd "$(dirname "$0")/.."
+export VK_DRIVER_FILES="${VK_DRIVER_FILES:-$(ls /usr/share/vulkan/icd.d/lvp_icd.*.json 2>/dev/null | head -n 1)}"
+log=target/check.log
+mkdir -p target
+: > "$log"
+
+cargo test --release --workspace --no-fail-fast -- --format pretty 2>&1 | tee -a "$log"
+status=$?
+cargo run --release --quiet -p tepui-conformance -- compare --device both --frames 3 2>&1 | tee -a "$log"
+
+# "test result: ok. 12 passed; 0 failed; ..." of every test binary, and "conformance: 240 passed, 0 failed".
+awk -v status="$status" '
+    /^test result: / { for (i = 1; i < NF; i++) { if ($(i + 1) ~ /^passed/) passed += $i; if ($(i + 1) ~ /^failed/) failed += $i } tests = 1 }
+    /^conformance: /  { passed += $2; failed += $4; compared = 1 }
+    /^error/          { broken = 1 }
+    END {
+        if (!tests || !compared || (broken && failed == 0)) failed += 1
+        printf "%d passed, %d failed\n", passed, failed
+        exit failed > 0
+    }' "$log"
