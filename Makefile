@@ -33,12 +33,12 @@ EXAMPLES := $(patsubst examples/c/%.c,%,$(wildcard examples/c/*.c))
 CFLAGS ?= -O2
 EXAMPLE_FLAGS := -std=gnu11 $(CFLAGS) -Wall -Wextra
 
-$(LIB)/libOSMesa.so.8: all
+$(LIB)/libOSMesa.so.8: | all
 	@mkdir -p $(LIB)
 	@ln -sf ../release/libOSMesa.so $(LIB)/libOSMesa.so
 	@ln -sf ../release/libOSMesa.so $(LIB)/libOSMesa.so.8
 
-target/examples/%: examples/c/%.c examples/c/offscreen.h $(LIB)/libOSMesa.so.8
+target/examples/%: examples/c/%.c examples/c/offscreen.h | $(LIB)/libOSMesa.so.8
 	@mkdir -p target/examples
 	$(CC) $(EXAMPLE_FLAGS) -I include $< -o $@ -L $(LIB) -Wl,-rpath,$(CURDIR)/$(LIB) -lOSMesa -lm
 
