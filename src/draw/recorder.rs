@@ -146,6 +146,12 @@ impl Recorder {
         Recorder { budget, ..Recorder::default() }
     }
 
+    /// Another budget, in bytes.
+    #[cfg(test)]
+    pub(crate) fn set_budget(&mut self, bytes: usize) {
+        self.budget = bytes;
+    }
+
     /// The batch so far, if there is anything in it. The state has to be set again before the next draw.
     pub fn take(&mut self) -> Option<Batch> {
         self.close_draw();

@@ -25,6 +25,8 @@ pub mod copy_texture;
 mod derived;
 pub(crate) mod derived_states;
 pub mod draw_pixels;
+#[cfg(test)]
+mod draw_tests;
 pub mod draws;
 pub mod enable;
 pub mod enums;
