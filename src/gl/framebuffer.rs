@@ -1,6 +1,6 @@
 //! Reading and writing the mapped pixels of a surface, in GL's coordinates (row 0 at the bottom).
 
-use super::pixel_format::Groups;
+use super::pixel_format::{Groups, widen};
 use super::texture_format::to_rgba8;
 use crate::device::{ColorFormat, DepthFormat, Pixels};
 
@@ -52,12 +52,6 @@ fn rows(pixels: &Pixels, rect: Rect, mut f: impl FnMut(usize)) {
     for y in rect.min[1]..rect.max[1] {
         f(pixel_index(pixels, rect.min[0], y));
     }
-}
-
-/// A component of `bits` bits as 8 bits.
-fn widen(value: u32, bits: u32) -> u32 {
-    let max = (1 << bits) - 1;
-    (value * 255 + max / 2) / max
 }
 
 /// Colours of a rectangle inside the surface, bottom row first.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::pixel_format::Groups;
 use super::texture_object::{LevelImage, TextureObject};
 use crate::draw::texture::TexelFormat;
 
@@ -28,34 +29,48 @@ impl TextureObject {
     }
 }
 
-/// The next smaller level: the mean of 2 x 2 x 2 texels (fewer where a dimension is 1); an odd last row is dropped.
+/// Where a texel of the smaller level lies on one axis of the larger one: two texels and the weight of the second.
+fn taps(size: u32, half: u32) -> Vec<([usize; 2], f32)> {
+    let last = size as usize - 1;
+    (0..half)
+        .map(|i| {
+            let at = ((i as f32 + 0.5) * (size as f32 / half as f32) - 0.5).max(0.0);
+            ([at as usize, (at as usize + 1).min(last)], at.fract())
+        })
+        .collect()
+}
+
+/// The next smaller level: linear filtering at the centres of its texels, which is the mean of 2 x 2 x 2 where sizes are
+/// even, and what Mesa does where they are odd.
 fn half(image: &LevelImage) -> LevelImage {
     let size = image.size.map(|n| (n / 2).max(1));
-    let step = image.size.map(|n| if n > 1 { 2 } else { 1 });
     let words = image.format.words();
-    let mut texels = Vec::with_capacity(size.iter().map(|&n| n as usize).product::<usize>() * words);
-    let at = |x: u32, y: u32, z: u32| ((z * image.size[1] + y) as usize * image.size[0] as usize + x as usize) * words;
-    let count = step.iter().product::<u32>();
-    for z in 0..size[2] {
-        for y in 0..size[1] {
-            for x in 0..size[0] {
-                let mut sum = [0.0f32; 4];
-                for k in 0..count {
-                    let (dx, dy, dz) = (k % step[0], k / step[0] % step[1], k / (step[0] * step[1]));
-                    let i = at(x * step[0] + dx, y * step[1] + dy, z * step[2] + dz);
-                    let c = match image.format.texels() {
-                        TexelFormat::Rgba8 => image.texels[i].to_le_bytes().map(f32::from),
-                        TexelFormat::Rgba32f => [0, 1, 2, 3].map(|k| f32::from_bits(image.texels[i + k])),
-                    };
-                    sum = std::array::from_fn(|k| sum[k] + c[k]);
-                }
-                let mean = sum.map(|s| s / count as f32);
-                match image.format.texels() {
-                    TexelFormat::Rgba8 => texels.push(u32::from_le_bytes(mean.map(|c| (c + 0.5) as u8))),
-                    TexelFormat::Rgba32f => texels.extend(mean.map(f32::to_bits)),
-                }
+    let [xs, ys, zs] = [0, 1, 2].map(|k| taps(image.size[k], size[k]));
+    let [width, height] = [image.size[0] as usize, image.size[1] as usize];
+    let texel = |x: usize, y: usize, z: usize| -> [f32; 4] {
+        let i = ((z * height + y) * width + x) * words;
+        match image.format.texels() {
+            TexelFormat::Rgba8 => image.texels[i].to_le_bytes().map(f32::from),
+            TexelFormat::Rgba32f => [0, 1, 2, 3].map(|k| f32::from_bits(image.texels[i + k])),
+        }
+    };
+    let mix = |a: [f32; 4], b: [f32; 4], t: f32| -> [f32; 4] { std::array::from_fn(|k| a[k] + (b[k] - a[k]) * t) };
+    let mut pixels = Vec::with_capacity(xs.len() * ys.len() * zs.len());
+    for &([z0, z1], tz) in &zs {
+        for &([y0, y1], ty) in &ys {
+            for &([x0, x1], tx) in &xs {
+                let row = |y, z| mix(texel(x0, y, z), texel(x1, y, z), tx);
+                let plane = |z| if ty == 0.0 { row(y0, z) } else { mix(row(y0, z), row(y1, z), ty) };
+                pixels.push(if tz == 0.0 { plane(z0) } else { mix(plane(z0), plane(z1), tz) });
             }
         }
     }
+    let texels = match image.format.texels() {
+        TexelFormat::Rgba8 => {
+            let rounded = pixels.iter().map(|c| u32::from_le_bytes(c.map(|c| (c + 0.5) as u8))).collect();
+            image.format.store(Groups::Rgba8(rounded))
+        }
+        TexelFormat::Rgba32f => pixels.iter().flat_map(|c| c.map(f32::to_bits)).collect(),
+    };
     LevelImage { size, internal_format: image.internal_format, format: image.format, texels: Arc::new(texels) }
 }

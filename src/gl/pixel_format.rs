@@ -131,6 +131,12 @@ impl ClientImage {
                 source.rows(|row| read_normalized(row, ty, |v| out.push(v)));
                 Groups::Depth(out)
             }
+            _ if packed(ty).is_some_and(|p| p.fields.iter().all(|f| f.1 <= 8)) && rgba8_reader(format, ty).is_none() => {
+                let mut out = Vec::with_capacity(count);
+                let packed = packed(ty)?;
+                source.rows(|row| read_packed_rgba8(row, format, packed, &mut out));
+                Groups::Rgba8(out)
+            }
             _ => match rgba8_reader(format, ty) {
                 Some(read) => {
                     let mut out = room(count)?;
@@ -221,6 +227,17 @@ fn read_normalized(row: &[u8], ty: GLenum, mut out: impl FnMut(f64)) {
     }
 }
 
+/// A component of 1 to 8 bits with 8: its highest bits again below its lowest one, as Mesa widens. That is the nearest value but
+/// for a few of 5 and 6 bits, which are one off.
+pub(crate) fn widen(value: u32, bits: u32) -> u32 {
+    match bits {
+        1 => value * 255,
+        2 => value * 85,
+        3 => value << 5 | value << 2 | value >> 1,
+        _ => value << (8 - bits) | value >> (2 * bits - 8),
+    }
+}
+
 /// RGBA from the components of a format, in their order.
 fn expand(format: GLenum, c: &[f32]) -> [f32; 4] {
     match format {
@@ -254,16 +271,13 @@ fn select(format: GLenum, [r, g, b, a]: [f64; 4]) -> [f64; 4] {
 
 fn read_rgba(row: &[u8], format: GLenum, ty: GLenum, out: &mut Vec<[f32; 4]>) {
     if let Some(packed) = packed(ty) {
-        for group in row.chunks_exact(packed.bytes) {
-            let mut word = [0; 4];
-            word[..packed.bytes].copy_from_slice(group);
-            let word = u32::from_le_bytes(if cfg!(target_endian = "little") { word } else { from_big_endian(word, packed.bytes) });
-            let c = packed.fields.map(|(shift, bits)| {
+        read_packed(row, packed, |word| {
+            let field = |(shift, bits): (u32, u32)| {
                 let max = (1u32 << bits) - 1;
                 if max == 0 { 0.0 } else { (word >> shift & max) as f32 / max as f32 }
-            });
-            out.push(expand(format, &c));
-        }
+            };
+            out.push(expand(format, &packed.fields.map(field)));
+        });
         return;
     }
     let n = components(format).unwrap_or(1);
@@ -279,12 +293,28 @@ fn read_rgba(row: &[u8], format: GLenum, ty: GLenum, out: &mut Vec<[f32; 4]>) {
     });
 }
 
-fn from_big_endian(word: [u8; 4], bytes: usize) -> [u8; 4] {
-    let mut out = [0; 4];
-    for i in 0..bytes {
-        out[i] = word[bytes - 1 - i];
+/// The words of packed groups, in the machine's order of bytes.
+fn read_packed(row: &[u8], packed: Packed, mut f: impl FnMut(u32)) {
+    for group in row.chunks_exact(packed.bytes) {
+        f(match *group {
+            [a] => a as u32,
+            [a, b] => u16::from_ne_bytes([a, b]) as u32,
+            [a, b, c, d] => u32::from_ne_bytes([a, b, c, d]),
+            _ => 0,
+        });
     }
-    out
+}
+
+/// Groups of a packed type with at most 8 bits a component.
+fn read_packed_rgba8(row: &[u8], format: GLenum, packed: Packed, out: &mut Vec<u32>) {
+    read_packed(row, packed, |word| {
+        let c = packed.fields.map(|(shift, bits)| if bits == 0 { 255 } else { widen(word >> shift & ((1 << bits) - 1), bits) as u8 });
+        out.push(u32::from_le_bytes(match format {
+            GL_BGRA => [c[2], c[1], c[0], c[3]],
+            GL_ABGR_EXT => [c[3], c[2], c[1], c[0]],
+            _ => c,
+        }));
+    });
 }
 
 /// A reader straight to RGBA8, for the formats with components of 8 bits.

@@ -30,7 +30,8 @@ fn run(origin: i64, zoom: f32, count: usize, window: [i32; 2]) -> (i32, Vec<usiz
     let centre_from = |edge: f64| (edge - 0.5).ceil().clamp(window[0] as f64, window[1] as f64) as i32;
     let (first, last) = (centre_from(low), centre_from(high));
     let group = |x: i32| {
-        let t = (x as f64 + 0.5 - origin as f64) / zoom;
+        // In single precision: a zoom of 1.7 is meant to put an edge where ten groups end at 17.
+        let t = (x as f64 + 0.5 - origin as f64) as f32 / zoom as f32;
         let index = if zoom > 0.0 { t.floor() } else { t.ceil() - 1.0 };
         (index.max(0.0) as usize).min(count.saturating_sub(1))
     };

@@ -72,7 +72,7 @@ impl PixelState {
         match groups {
             Groups::Rgba8(pixels) if self.color_is_identity() => Groups::Rgba8(pixels),
             Groups::Rgba8(pixels) => {
-                let mut floats: Vec<[f32; 4]> = pixels.iter().map(|p| p.to_le_bytes().map(|c| c as f32 / 255.0)).collect();
+                let mut floats: Vec<[f32; 4]> = pixels.iter().map(|p| p.to_le_bytes().map(|c| c as f32 * (1.0 / 255.0))).collect();
                 self.transfer_colors(&mut floats);
                 Groups::Rgba(floats)
             }

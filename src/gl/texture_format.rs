@@ -4,7 +4,7 @@
 //! GL_RGBA2 and GL_RGB4 with 4, GL_RGB5 with 5 each, 12-bit formats with 16.
 
 use super::enums::*;
-use super::pixel_format::Groups;
+use super::pixel_format::{Groups, widen};
 use crate::draw::texture::TexelFormat;
 
 /// An internal format.
@@ -93,9 +93,8 @@ impl InternalFormat {
             for pixel in &mut pixels {
                 let mut c = pixel.to_le_bytes();
                 for (c, &bits) in c.iter_mut().zip(&self.bits) {
-                    let max = (1u32 << bits) - 1;
-                    if max > 0 {
-                        *c = (((*c as u32 * max + 127) / 255 * 255 + max / 2) / max) as u8;
+                    if bits > 0 {
+                        *c = widen((*c as u32 * ((1 << bits) - 1) + 127) / 255, bits as u32) as u8;
                     }
                 }
                 *pixel = u32::from_le_bytes(c);

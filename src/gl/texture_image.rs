@@ -466,8 +466,8 @@ impl Context {
             let image = object.image(image_target.face, level as usize)?;
             Some((image.size.map(|n| n as usize), image.format.read(&image.texels)))
         });
-        if let Some((size, groups)) = read {
-            let mut groups = self.state.pixel.transferred_colors(groups);
+        // No pixel transfer on this way (6.1.4).
+        if let Some((size, mut groups)) = read {
             if matches!(format, GL_LUMINANCE | GL_LUMINANCE_ALPHA) {
                 // Luminance is red here, not the sum that glReadPixels makes: Mesa's reading, and the useful one.
                 match &mut groups {
