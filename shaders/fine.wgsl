@@ -89,7 +89,8 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#endif
         let fragment_uniforms = WORD(sa, 0);
 //#if TEXTURES
-        tp_textures = WORD(sa, 1);
+        let textures = WORD(sa, 1);
+        //#insert TEXTURES
 //#endif
         var state: TpState;
         //#state

@@ -1,0 +1,245 @@
+// Texture sampling (3.8.7, 3.8.8): the twin of src/raster/texture.rs. Kind, format, wrap modes and filters of a slot are
+// constants of the kernel, so that only what the slot needs is left after inlining.
+
+// A slot's binding: words of its record, the same for all pixels of a triangle.
+struct TpTexture {
+    // First word of the levels' records in tp_records: offset in tp_texels, width, height, depth each.
+    levels: u32,
+    last: u32,
+    lod_range: vec2<f32>,
+    lod_bias: f32,
+    // The base level's record.
+    offset: u32,
+    size: vec3<i32>,
+    border: vec4<f32>,
+}
+
+// What is constant about a slot: kind 1 to 3 dimensions or 4 for cube maps; wrap modes numbered as in
+// src/draw/texture.rs; mip 0 none, 1 nearest, 2 linear.
+struct TpClass {
+    kind: u32,
+    floats: bool,
+    wrap: vec3<u32>,
+    mag_linear: bool,
+    min_linear: bool,
+    mip: u32,
+}
+
+struct TpAxis {
+    low: i32,
+    high: i32,
+    weight: f32,
+}
+
+// Fraction of a coordinate in its period, mirrored in every other one.
+fn tp_mirrored(c: f32) -> f32 {
+    let whole = floor(c);
+    let odd = whole - 2.0 * floor(whole * 0.5) != 0.0;
+    let part = c - whole;
+    return select(part, 1.0 - part, odd);
+}
+
+// Index of the nearest texel, -1 for the border.
+fn tp_nearest(c: f32, size: i32, wrap: u32) -> i32 {
+    let n = f32(size);
+    var u = c * n;
+    if (wrap == 0u) {
+        u = (c - floor(c)) * n;
+    }
+    if (wrap == 4u) {
+        u = tp_mirrored(c) * n;
+    }
+    let i = i32(floor(u));
+    if (wrap == 3u) {
+        return select(i, -1, i < 0 || i >= size);
+    }
+    return clamp(i, 0, size - 1);
+}
+
+// Indices of the two texels around a coordinate, and the weight of the second.
+fn tp_linear(c: f32, size: i32, wrap: u32) -> TpAxis {
+    let n = f32(size);
+    var u = 0.0;
+    if (wrap == 0u) {
+        u = (c - floor(c)) * n - 0.5;
+    }
+    if (wrap == 1u) {
+        u = min(max(c, 0.0), 1.0) * n - 0.5;
+    }
+    if (wrap == 2u) {
+        u = min(max(c * n, 0.5), n - 0.5) - 0.5;
+    }
+    if (wrap == 3u) {
+        u = min(max(c * n, -0.5), n + 0.5) - 0.5;
+    }
+    if (wrap == 4u) {
+        u = min(max(tp_mirrored(c) * n, 0.5), n - 0.5) - 0.5;
+    }
+    let whole = floor(u);
+    let i = i32(whole);
+    let j = i + 1;
+    var a: TpAxis;
+    a.weight = u - whole;
+    if (wrap == 0u) {
+        a.low = select(min(i, size - 1), size - 1, i < 0);
+        a.high = select(max(j, 0), 0, j >= size);
+    } else if (wrap == 1u || wrap == 3u) {
+        a.low = select(i, -1, i < 0 || i >= size);
+        a.high = select(j, -1, j < 0 || j >= size);
+    } else {
+        a.low = clamp(i, 0, size - 1);
+        a.high = clamp(j, 0, size - 1);
+    }
+    return a;
+}
+
+// A texel; components of 8 bits count from 0 to 255.
+fn tp_texel(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, x: i32, y: i32, z: i32) -> vec4<f32> {
+    let at = u32(max((z * size.y + y) * size.x + x, 0));
+    var v: vec4<f32>;
+    if (c.floats) {
+        let w = offset + at * 4u;
+        v = bitcast<vec4<f32>>(vec4<u32>(tp_texels[w], tp_texels[w + 1u], tp_texels[w + 2u], tp_texels[w + 3u]));
+    } else {
+        let w = tp_texels[offset + at];
+        v = vec4<f32>(vec4<i32>(i32(w & 255u), i32((w >> 8u) & 255u), i32((w >> 16u) & 255u), i32(w >> 24u)));
+    }
+    let may_leave = any(vec3<bool>(c.wrap.x == 1u || c.wrap.x == 3u, c.wrap.y == 1u || c.wrap.y == 3u, c.wrap.z == 1u || c.wrap.z == 3u));
+    if (may_leave) {
+        v = select(v, t.border * select(255.0, 1.0, c.floats), (x | y | z) < 0);
+    }
+    return v;
+}
+
+fn tp_lerp(a: vec4<f32>, b: vec4<f32>, t: f32) -> vec4<f32> {
+    return a + t * (b - a);
+}
+
+fn tp_plane(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, x: TpAxis, y: TpAxis, z: i32) -> vec4<f32> {
+    let low = tp_lerp(tp_texel(t, c, offset, size, x.low, y.low, z), tp_texel(t, c, offset, size, x.high, y.low, z), x.weight);
+    let high = tp_lerp(tp_texel(t, c, offset, size, x.low, y.high, z), tp_texel(t, c, offset, size, x.high, y.high, z), x.weight);
+    return tp_lerp(low, high, y.weight);
+}
+
+// One level with one filter; `p` is s, t, r, and the face of a cube map.
+fn tp_level(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, linear: bool, p: vec4<f32>) -> vec4<f32> {
+    let scale = select(1.0 / 255.0, 1.0, c.floats);
+    let face = i32(p.w);
+    if (!linear) {
+        let x = tp_nearest(p.x, size.x, c.wrap.x);
+        var y = 0;
+        if (c.kind != 1u) {
+            y = tp_nearest(p.y, size.y, c.wrap.y);
+        }
+        var z = face;
+        if (c.kind == 3u) {
+            z = tp_nearest(p.z, size.z, c.wrap.z);
+        }
+        return tp_texel(t, c, offset, size, x, y, z) * scale;
+    }
+    let x = tp_linear(p.x, size.x, c.wrap.x);
+    if (c.kind == 1u) {
+        return tp_lerp(tp_texel(t, c, offset, size, x.low, 0, 0), tp_texel(t, c, offset, size, x.high, 0, 0), x.weight) * scale;
+    }
+    let y = tp_linear(p.y, size.y, c.wrap.y);
+    if (c.kind != 3u) {
+        return tp_plane(t, c, offset, size, x, y, face) * scale;
+    }
+    let z = tp_linear(p.z, size.z, c.wrap.z);
+    return tp_lerp(tp_plane(t, c, offset, size, x, y, z.low), tp_plane(t, c, offset, size, x, y, z.high), z.weight) * scale;
+}
+
+// The coordinates of a direction on a face of a cube map (table 3.19).
+fn tp_on_face(face: i32, d: vec3<f32>) -> vec2<f32> {
+    var v = vec3<f32>(-d.z, -d.y, d.x);
+    v = select(v, vec3<f32>(d.z, -d.y, d.x), face == 1);
+    v = select(v, vec3<f32>(d.x, d.z, d.y), face == 2);
+    v = select(v, vec3<f32>(d.x, -d.z, d.y), face == 3);
+    v = select(v, vec3<f32>(d.x, -d.y, d.z), face == 4);
+    v = select(v, vec3<f32>(-d.x, -d.y, d.z), face == 5);
+    return 0.5 * (v.xy / abs(v.z) + 1.0);
+}
+
+fn tp_major_face(d: vec3<f32>) -> i32 {
+    let a = abs(d);
+    let x = a.x >= a.y && a.x >= a.z;
+    let y = a.y >= a.z;
+    let base = select(select(4, 2, y), 0, x);
+    return base + select(0, 1, select(select(d.z, d.y, y), d.x, x) < 0.0);
+}
+
+fn tp_log2(x: f32) -> f32 {
+//#if FMA64
+    // As src/program/lanes/math.rs, so that both executors choose the same level.
+    let bits = bitcast<i32>(x);
+    let e = (bits - 0x3f3504f3) >> 23u;
+    let m = f64(bitcast<f32>(bits - (e << 23u)));
+    let f = (m - f64(1.0)) / (m + f64(1.0));
+    let s = f * f;
+    var p = f64(1.0) / f64(15.0);
+    p = p * s + f64(1.0) / f64(13.0);
+    p = p * s + f64(1.0) / f64(11.0);
+    p = p * s + f64(1.0) / f64(9.0);
+    p = p * s + f64(1.0) / f64(7.0);
+    p = p * s + f64(1.0) / f64(5.0);
+    p = p * s + f64(1.0) / f64(3.0);
+    p = p * s + f64(1.0);
+    let r = f32(f64(e) + f64(2.0) * f * p * f64(1.442695040888963407));
+    return select(r, -1e30, x <= 0.0);
+//#else
+    return select(log2(x), -1e30, x <= 0.0);
+//#endif
+}
+
+fn tp_sample(t: TpTexture, c: TpClass, coord: vec4<f32>, ddx: vec4<f32>, ddy: vec4<f32>) -> vec4<f32> {
+    var p = vec4<f32>(coord.xyz, 0.0);
+    if (c.kind == 4u) {
+        let face = tp_major_face(coord.xyz);
+        p = vec4<f32>(tp_on_face(face, coord.xyz), 0.0, f32(face));
+    }
+    if (c.mip == 0u && c.mag_linear == c.min_linear) {
+        return tp_level(t, c, t.offset, t.size, c.mag_linear, p);
+    }
+    // The level of detail (3.8.8).
+    var n = vec3<f32>(t.size);
+    if (c.kind == 1u) {
+        n = vec3<f32>(n.x, 0.0, 0.0);
+    }
+    if (c.kind == 2u) {
+        n.z = 0.0;
+    }
+    var dx = ddx.xyz * n;
+    var dy = ddy.xyz * n;
+    if (c.kind == 4u) {
+        dx = vec3<f32>((tp_on_face(i32(p.w), coord.xyz + ddx.xyz) - p.xy) * n.xy, 0.0);
+        dy = vec3<f32>((tp_on_face(i32(p.w), coord.xyz + ddy.xyz) - p.xy) * n.xy, 0.0);
+    }
+    let rho2 = max(dx.x * dx.x + dx.y * dx.y + dx.z * dx.z, dy.x * dy.x + dy.y * dy.y + dy.z * dy.z);
+    let lambda = min(max(0.5 * tp_log2(rho2) + t.lod_bias, t.lod_range.x), t.lod_range.y);
+    var switch_over = 0.0;
+    if (c.mag_linear && !c.min_linear && c.mip != 0u) {
+        switch_over = 0.5;
+    }
+    let minified = lambda > switch_over;
+    if (c.mip == 0u) {
+        return select(tp_level(t, c, t.offset, t.size, c.mag_linear, p), tp_level(t, c, t.offset, t.size, c.min_linear, p), minified);
+    }
+    var whole = floor(lambda);
+    if (c.mip == 1u) {
+        whole = select(ceil(lambda + 0.5) - 1.0, 0.0, lambda <= 0.5);
+    }
+    let level = select(0u, min(u32(max(whole, 0.0)), t.last), minified);
+    let at = t.levels + level * 4u;
+    let size = vec3<i32>(i32(tp_records[at + 1u]), i32(tp_records[at + 2u]), i32(tp_records[at + 3u]));
+    var v = tp_level(t, c, tp_records[at], size, c.min_linear, p);
+    if (c.mip == 2u) {
+        let next = t.levels + min(level + 1u, t.last) * 4u;
+        let next_size = vec3<i32>(i32(tp_records[next + 1u]), i32(tp_records[next + 2u]), i32(tp_records[next + 3u]));
+        let blend = select(0.0, lambda - whole, minified && level < t.last);
+        v = tp_lerp(v, tp_level(t, c, tp_records[next], next_size, c.min_linear, p), blend);
+    }
+    if (c.mag_linear != c.min_linear) {
+        v = select(tp_level(t, c, t.offset, t.size, c.mag_linear, p), v, minified);
+    }
+    return v;
+}

@@ -250,6 +250,7 @@ impl Kernels {
             }
         }
         let glue = glue(program, key, shape);
+        options.inserts.insert("TEXTURES", super::texture::loads(&key.textures));
         options.inserts.insert("PLANES", glue.planes);
         options.inserts.insert("DEPTH", glue.depth);
         options.inserts.insert("SHADE", glue.shade);

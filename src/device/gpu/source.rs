@@ -100,8 +100,8 @@ fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)
             Some("//#state") => expand_with(files::STATE, options, loads, out),
             Some("//#insert") if open.iter().all(|&o| o) => {
                 let name = words.next().unwrap_or_default();
-                out.push_str(options.inserts.get(name).map_or("", |t| t));
-                out.push('\n');
+                let text = options.inserts.get(name).map_or("", |t| t);
+                expand_with(text, options, loads, out);
             }
             _ if open.iter().all(|&o| o) => {
                 words_of_loads(line, options, loads, out);

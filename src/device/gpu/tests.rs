@@ -7,6 +7,7 @@ use bytemuck::Zeroable;
 use super::GpuDevice;
 use crate::device::cpu::CpuDevice;
 use crate::device::{ColorFormat, DepthFormat, Device, Pixels, SurfaceFormat};
+use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
 use crate::draw::{Batch, Clear, Draw, Step};
 use crate::program::{Input, Interface, Output, Program, Stage, Varying};
 use crate::raster::layout::*;
@@ -47,6 +48,23 @@ fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut { return FragmentOut(
     let vertex = Program::new(Stage::Vertex, vertex.into(), outputs).expect("a vertex program");
     let fragment = Program::new(Stage::Fragment, fragment.into(), inputs).expect("a fragment program");
     (Arc::new(vertex), Arc::new(fragment))
+}
+
+/// The first two components of the varying are texture coordinates, three times around.
+fn textured() -> Arc<Program> {
+    let fragment = "struct FragmentIn { i0: vec4<f32>, i1: vec4<f32>, i2: vec4<f32>, i3: vec4<f32> }
+struct FragmentOut { color: vec4<f32> }
+fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut {
+    let coord = in.i0 * 3.0 - 1.0;
+    return FragmentOut(texture_sample(0u, coord, (in.i2 - in.i1) * 3.0, (in.i3 - in.i1) * 3.0));
+}";
+    let inputs = Interface {
+        inputs: vec![Input::Varying(0), Input::Quad(0, 0), Input::Quad(0, 1), Input::Quad(0, 2)],
+        varyings: vec![Varying { front: Output::FrontColor, back: Output::FrontColor, interpolation: interpolation::PERSPECTIVE }],
+        texture_slots: 1,
+        ..Interface::default()
+    };
+    Arc::new(Program::new(Stage::Fragment, fragment.into(), inputs).expect("a fragment program"))
 }
 
 fn raster_state(width: u32, height: u32) -> RasterState {
@@ -261,4 +279,49 @@ fn a_surface_keeps_its_pixels_from_batch_to_batch() {
     let (a, b) = (both(&CpuDevice::new()), both(&gpu));
     assert_eq!(a.color, b.color);
     assert_eq!(a.depth_stencil, b.depth_stencil);
+}
+
+#[test]
+fn every_wrap_mode_and_filter_samples_the_same_texels() {
+    let size = [120, 90];
+    let mut random = Random(5);
+    let wraps = [Wrap::Repeat, Wrap::Clamp, Wrap::ClampToEdge, Wrap::ClampToBorder, Wrap::MirroredRepeat];
+    let kinds = [TextureKind::D1, TextureKind::D2, TextureKind::D3, TextureKind::Cube];
+    for case in 0..16u64 {
+        let kind = kinds[case as usize % 4];
+        let format = if case % 5 == 4 { TexelFormat::Rgba32f } else { TexelFormat::Rgba8 };
+        let levels = (0..4)
+            .map(|l| {
+                let width = 8 >> l;
+                let height = if kind == TextureKind::D1 { 1 } else { width };
+                let depth = match kind {
+                    TextureKind::D3 => width,
+                    TextureKind::Cube => 6,
+                    _ => 1,
+                };
+                let words = width * height * depth * if format == TexelFormat::Rgba8 { 1 } else { 4 };
+                let texels = (0..words)
+                    .map(|_| {
+                        if format == TexelFormat::Rgba8 { random.below(1 << 24) | random.below(256) << 24 } else { random.next().to_bits() }
+                    })
+                    .collect();
+                TextureLevel { width, height, depth, texels: Arc::new(texels) }
+            })
+            .collect();
+        let sampler = Sampler {
+            wrap: std::array::from_fn(|_| wraps[random.below(5) as usize]),
+            mag_linear: random.below(2) == 1,
+            min_linear: random.below(2) == 1,
+            mip_linear: [None, Some(false), Some(true)][random.below(3) as usize],
+            lod_range: [-1000.0, 1000.0],
+            lod_bias: 0.0,
+            border: [0.25, 0.5, 0.75, 0.125],
+        };
+        let image = Arc::new(TextureImage { id: 1_000_000 + case, kind, format, levels });
+        let mut builder = Builder::new(size[0], size[1]);
+        builder.programs.1 = textured();
+        builder.batch.textures.push(TextureBinding { image, sampler });
+        builder.draw(topology::TRIANGLES, &soup(&mut random, 6, 1.5, case % 2 == 0), 0, fragment_state());
+        compare_executors(&builder.batch, size, FORMAT);
+    }
 }

@@ -56,8 +56,56 @@ impl TextureClass {
 /// Appends the sampling code for these slots.
 pub fn splice(classes: &[TextureClass], options: &Options, source: &mut String) {
     expand(files::TEXTURE, options, source);
+    for slot in 0..classes.len() {
+        let _ = writeln!(source, "var<private> tp_texture{slot}: TpTexture;");
+    }
     source.push_str("fn texture_sample(slot: u32, coord: vec4<f32>, ddx: vec4<f32>, ddy: vec4<f32>) -> vec4<f32> {\n");
-    let _ = writeln!(source, "return vec4<f32>(1.0); // {} slots\n}}", classes.len());
+    for (slot, class) in classes.iter().enumerate() {
+        let kind = match class.kind {
+            TextureKind::D1 => 1,
+            TextureKind::D2 => 2,
+            TextureKind::D3 => 3,
+            TextureKind::Cube => 4,
+        };
+        let [s, t, r] = class.wrap.map(|w| w as u32);
+        let mip = class.mip_linear.map_or(0, |linear| 1 + linear as u32);
+        let floats = class.format == TexelFormat::Rgba32f;
+        let (mag, min) = (class.mag_linear, class.min_linear);
+        let _ = writeln!(
+            source,
+            "if (slot == {slot}u) {{ return tp_sample(tp_texture{slot}, TpClass({kind}u, {floats}, vec3<u32>({s}u, {t}u, {r}u), {mag}, {min}, {mip}u), coord, ddx, ddy); }}"
+        );
+    }
+    source.push_str("return vec4<f32>(0.0, 0.0, 0.0, 1.0);\n}\n");
+}
+
+/// Text that loads the slots' bindings, once a triangle: `//#insert TEXTURES`, itself to be expanded.
+pub fn loads(classes: &[TextureClass]) -> String {
+    let mut text = String::new();
+    for (slot, class) in classes.iter().enumerate() {
+        let border = class.wrap.iter().any(|w| matches!(w, Wrap::Clamp | Wrap::ClampToBorder));
+        let at = slot * BINDING_WORDS;
+        let _ = writeln!(text, "//#load tx{slot} tp_records textures + {at}u");
+        if border {
+            let _ = writeln!(text, "//#load tb{slot} tp_records textures + {}u", at + 8);
+        }
+        let _ = writeln!(
+            text,
+            "tp_texture{slot}.levels = WORD(tx{slot}, 0);
+tp_texture{slot}.last = WORD(tx{slot}, 1) & 255u;
+tp_texture{slot}.lod_range = vec2<f32>(bitcast<f32>(WORD(tx{slot}, 2)), bitcast<f32>(WORD(tx{slot}, 3)));
+tp_texture{slot}.lod_bias = bitcast<f32>(WORD(tx{slot}, 4));
+tp_texture{slot}.offset = WORD(tx{slot}, 5);
+tp_texture{slot}.size = vec3<i32>(i32(WORD(tx{slot}, 6) & 0xffffu), i32(WORD(tx{slot}, 6) >> 16u), i32(WORD(tx{slot}, 7)));"
+        );
+        if border {
+            let _ = writeln!(
+                text,
+                "tp_texture{slot}.border = vec4<f32>(bitcast<f32>(WORD(tb{slot}, 0)), bitcast<f32>(WORD(tb{slot}, 1)), bitcast<f32>(WORD(tb{slot}, 2)), bitcast<f32>(WORD(tb{slot}, 3)));"
+            );
+        }
+    }
+    text
 }
 
 /// Words of a texture binding's record.
@@ -140,7 +188,12 @@ impl Heap {
             let s = &b.sampler;
             let record = &mut words[start + k * BINDING_WORDS..][..BINDING_WORDS];
             record[0] = levels;
-            record[1] = b.image.levels.len() as u32;
+            record[1] = (b.image.levels.len() as u32).saturating_sub(1);
+            if let Some(base) = b.image.levels.first() {
+                record[5] = self.offsets.get(&b.image.id).copied().unwrap_or(0);
+                record[6] = base.width | base.height << 16;
+                record[7] = base.depth;
+            }
             record[2] = s.lod_range[0].to_bits();
             record[3] = s.lod_range[1].to_bits();
             record[4] = s.lod_bias.to_bits();
