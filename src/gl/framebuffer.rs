@@ -49,7 +49,9 @@ pub(crate) fn pixel_index(pixels: &Pixels, x: i32, y: i32) -> usize {
 }
 
 fn rows(pixels: &Pixels, rect: Rect, mut f: impl FnMut(usize)) {
-    for y in rect.min[1]..rect.max[1] {
+    // A rectangle that is empty in x only still counts rows.
+    let last = if rect.is_empty() { rect.min[1] } else { rect.max[1] };
+    for y in rect.min[1]..last {
         f(pixel_index(pixels, rect.min[0], y));
     }
 }

@@ -36,6 +36,11 @@ const HOT: &[&str] = &[
     "glBegin",
     "glBegin",
     "glEnd",
+    "glEnd",
+    "glEnd",
+    "glEnd",
+    "glEnd",
+    "glEndList",
     "glVertex2f",
     "glVertex3f",
     "glVertex4fv",
@@ -222,6 +227,7 @@ fn one(seed: u64, calls: usize, trace: bool, stats: bool) {
         }
         match name {
             // It may have failed: then this is more careful than it must be.
+            "glNewList" if g.last_list == 1 => g.compiling = Some(1),
             "glNewList" => g.compiling = g.compiling.or(Some(g.last_list)),
             "glEndList" => {
                 close();
