@@ -211,16 +211,7 @@ impl Recorder {
             None => NONE,
         };
         let batch = &mut self.batch;
-        let outputs = &state.vertex_program.outputs;
-        let index_of = |output: Output| outputs.iter().position(|&o| o == output).map(|k| k as u32 + 1);
-        let mut varyings = [0; MAX_VARYINGS];
-        let wanted = &state.fragment_program.varyings;
-        for (word, varying) in varyings.iter_mut().zip(wanted) {
-            let front = index_of(varying.front).unwrap_or(0);
-            let back = index_of(varying.back).unwrap_or(front);
-            *word = front | back << 8 | varying.interpolation << 16;
-        }
-        let record = DrawRecord {
+        let mut record = DrawRecord {
             vertex_word: 0,
             vertex_stride: 0,
             vertex_count: 0,
@@ -238,13 +229,14 @@ impl Recorder {
             ),
             first_texture: intern_textures(&mut self.texture_lists, &mut batch.textures, state.textures),
             shaded_base: 0,
-            shaded_stride: 1 + outputs.len() as u32,
-            clip_distances: index_of(Output::ClipDistance(0)).unwrap_or(NONE),
+            shaded_stride: 0,
+            clip_distances: NONE,
             clip_distance_count: state.clip_distance_count,
-            point_size: index_of(Output::PointSize).unwrap_or(NONE),
-            varying_count: wanted.len().min(MAX_VARYINGS) as u32,
-            varyings,
+            point_size: NONE,
+            varying_count: 0,
+            varyings: [0; MAX_VARYINGS],
         };
+        link(&mut record, state.vertex_program, state.fragment_program);
         if let Some(prepared) = &self.prepared
             && prepared.record == record
             && prepared.vertex_program.id == state.vertex_program.id
@@ -255,6 +247,21 @@ impl Recorder {
         self.close_draw();
         self.prepared =
             Some(Prepared { record, vertex_program: state.vertex_program.clone(), fragment_program: state.fragment_program.clone() });
+    }
+
+    /// Another vertex program for the draws that follow, with the state set before.
+    pub fn replace_vertex_program(&mut self, program: &Arc<Program>) {
+        self.close_draw();
+        if let Some(prepared) = &mut self.prepared {
+            link(&mut prepared.record, program, &prepared.fragment_program);
+            prepared.vertex_program = program.clone();
+        }
+    }
+
+    /// The state has to be set again before the next draw.
+    pub fn forget_state(&mut self) {
+        self.close_draw();
+        self.prepared = None;
     }
 
     /// Draws a run of vertices in the state set before. Attributes that the run does not have come from `current`.
@@ -396,6 +403,22 @@ impl Recorder {
             self.stepped = end;
         }
     }
+}
+
+/// Where the later stages find what the vertex program writes and the fragment program reads.
+fn link(record: &mut DrawRecord, vertex_program: &Program, fragment_program: &Program) {
+    let outputs = &vertex_program.outputs;
+    let index_of = |output: Output| outputs.iter().position(|&o| o == output).map(|k| k as u32 + 1);
+    let wanted = &fragment_program.varyings;
+    for (word, varying) in record.varyings.iter_mut().zip(wanted) {
+        let front = index_of(varying.front).unwrap_or(0);
+        let back = index_of(varying.back).unwrap_or(front);
+        *word = front | back << 8 | varying.interpolation << 16;
+    }
+    record.varying_count = wanted.len().min(MAX_VARYINGS) as u32;
+    record.shaded_stride = 1 + outputs.len() as u32;
+    record.clip_distances = index_of(Output::ClipDistance(0)).unwrap_or(NONE);
+    record.point_size = index_of(Output::PointSize).unwrap_or(NONE);
 }
 
 /// Appends a run's vertices in another layout of four words a slot.

@@ -6,6 +6,7 @@
 
 use super::Context;
 use super::enums::*;
+use super::vertex_materials::ShadedRun;
 use crate::draw::assembly::{Part, PrimitiveType, carry};
 use crate::draw::recorder::{Run, slots};
 use crate::raster::layout::ATTRIBUTES;
@@ -41,6 +42,8 @@ pub(crate) struct Immediate {
     /// By vertex, from the first false one on.
     edge_flags: Option<Vec<bool>>,
     continued: bool,
+    /// Vertices before those in `data`, where a material changed since Begin.
+    pub(super) shaded: Option<Box<ShadedRun>>,
 }
 
 impl Default for Immediate {
@@ -56,6 +59,7 @@ impl Default for Immediate {
             count: 0,
             edge_flags: None,
             continued: false,
+            shaded: None,
         }
     }
 }
@@ -65,6 +69,11 @@ impl Immediate {
     #[inline]
     pub fn is_inside(&self) -> bool {
         self.mode.is_some()
+    }
+
+    /// The primitive type, between Begin and End.
+    pub(super) fn mode(&self) -> Option<PrimitiveType> {
+        self.mode
     }
 
     /// Starts a primitive. Attributes that the last one had stay in the layout, as their calls will likely come again.
@@ -161,7 +170,7 @@ impl Immediate {
     }
 
     /// Keeps the vertices that the next run needs, drops the rest.
-    fn keep(&mut self, carried: [Option<u32>; 3]) {
+    pub(super) fn keep(&mut self, carried: [Option<u32>; 3]) {
         let stride = self.stride;
         let mut kept = 0;
         for vertex in carried.into_iter().flatten().map(|i| i as usize) {
@@ -207,18 +216,25 @@ impl Context {
             return self.set_error(GL_INVALID_OPERATION, "glEnd without glBegin");
         };
         immediate.wanted = 0;
-        if immediate.count > 0 {
-            let part = Part { continued: immediate.continued, continues: false };
+        let part = Part { continued: immediate.continued, continues: false };
+        if immediate.shaded.is_some() {
+            self.submit_shaded(mode, part, &mut immediate);
+        } else if immediate.count > 0 {
             self.submit_run(mode, part, &immediate.run(), false);
         }
         self.immediate = immediate;
     }
 
-    /// Hands on what was collected, between Begin and End: the run is long, or state that Begin and End allow to change
-    /// (glMaterial) is about to change. Primitives that are complete keep the state they were given in.
+    /// Hands on what was collected, between Begin and End: the run is long. Primitives that are complete keep the state they were
+    /// given in.
     #[cold]
     pub(crate) fn split_primitive(&mut self) {
         let mut immediate = std::mem::take(&mut self.immediate);
+        if immediate.shaded.is_some() {
+            // Shaded vertices wait for their End.
+            self.immediate = immediate;
+            return self.shade_before_change();
+        }
         if let Some(mode) = immediate.mode {
             let (count, carried) = carry(mode, immediate.count);
             let part = Part { continued: immediate.continued, continues: true };

@@ -124,7 +124,7 @@ impl Context {
         }
         if changed != self.state.lighting.materials {
             if self.immediate.is_inside() {
-                self.split_primitive();
+                self.shade_before_change();
             }
             self.state.lighting.materials = changed;
             self.dirty |= dirty::LIGHTING;

@@ -63,6 +63,7 @@ pub mod texture_format;
 pub mod texture_image;
 pub mod texture_object;
 pub mod texture_parameter;
+pub(crate) mod vertex_materials;
 
 use std::sync::{Arc, Mutex, MutexGuard};
 
@@ -105,6 +106,7 @@ pub struct Context {
     /// The next derivation is for vertices shaded on the host: all outputs are wanted.
     pub(crate) shading_on_host: bool,
     pub(crate) immediate: Immediate,
+    pass_through: vertex_materials::PassThrough,
     pub(crate) lists: list::ListState,
     maps: evaluators::Maps,
     selection: selection::Selection,
@@ -207,6 +209,7 @@ impl Context {
             derived: derived::Derived::default(),
             shading_on_host: false,
             immediate: Immediate::default(),
+            pass_through: Default::default(),
             lists: list::ListState::default(),
             maps: evaluators::Maps::default(),
             selection: selection::Selection::default(),

@@ -7,9 +7,31 @@ use crate::types::rust_type;
 
 /// Commands whose integers may be anything: they are values, not sizes of what is read or done.
 const WILD: &[&str] = &[
-    "glVertex", "glColor", "glNormal", "glTexCoord", "glMultiTexCoord", "glSecondaryColor", "glFogCoord", "glIndex", "glRasterPos",
-    "glWindowPos", "glRect", "glViewport", "glScissor", "glStencil", "glClear", "glLight", "glMaterial", "glFog", "glTexEnv", "glTexGen",
-    "glTexParameter", "glPixelTransfer", "glLineStipple", "glPointParameter", "glPolygon",
+    "glVertex",
+    "glColor",
+    "glNormal",
+    "glTexCoord",
+    "glMultiTexCoord",
+    "glSecondaryColor",
+    "glFogCoord",
+    "glIndex",
+    "glRasterPos",
+    "glWindowPos",
+    "glRect",
+    "glViewport",
+    "glScissor",
+    "glStencil",
+    "glClear",
+    "glLight",
+    "glMaterial",
+    "glFog",
+    "glTexEnv",
+    "glTexGen",
+    "glTexParameter",
+    "glPixelTransfer",
+    "glLineStipple",
+    "glPointParameter",
+    "glPolygon",
 ];
 
 /// Commands that have array parameters of indices or names in memory of any type.
@@ -45,7 +67,9 @@ fn argument(registry: &Registry, command: &Command, param: &Param) -> String {
         "GLint" if param.name.starts_with("internal") || param.name == "components" => format!("{} as i32", choice()),
         "GLint" if wild => "g.wild()".to_string(),
         // A texture that is too large is refused; of other sizes, as many bytes are read.
-        "GLsizei" if name.starts_with("glTexImage") || name.starts_with("glViewport") || name.starts_with("glScissor") => "g.any_size()".to_string(),
+        "GLsizei" if name.starts_with("glTexImage") || name.starts_with("glViewport") || name.starts_with("glScissor") => {
+            "g.any_size()".to_string()
+        }
         "GLsizei" => "g.size()".to_string(),
         "GLint" => "g.int()".to_string(),
         "GLuint" if param.name == "list" => format!("g.list(\"{name}\")"),

@@ -126,12 +126,7 @@ impl Default for Arrays {
 impl Arrays {
     /// Enabled slots that feed vertex attributes, as a mask.
     fn attributes(&self) -> u32 {
-        let mask = self
-            .slots
-            .iter()
-            .enumerate()
-            .filter(|(_, array)| array.is_live())
-            .fold(0, |mask, (slot, _)| mask | 1 << slot);
+        let mask = self.slots.iter().enumerate().filter(|(_, array)| array.is_live()).fold(0, |mask, (slot, _)| mask | 1 << slot);
         mask & !(1 << EDGE_FLAG | 1 << INDEX)
     }
 
