@@ -43,12 +43,14 @@ impl Context {
         let at = |cx: &Context, map: usize| cx.maps.surfaces[map].evaluate(u, v);
         let texture = MAP_TEX_COORDS.rev().find(|&map| on[map]).map(|map| at(self, map));
         let color = on[MAP_COLOR].then(|| at(self, MAP_COLOR));
-        let normal = if self.state.eval.auto_normal {
-            Some(normal_of(&self.maps.surfaces[vertex].tangents(u, v), vertex == MAP_VERTEX_4))
+        let (normal, position) = if self.state.eval.auto_normal {
+            let tangents = self.maps.surfaces[vertex].tangents(u, v);
+            let [x, y, z, w] = tangents.point;
+            let homogeneous = vertex == MAP_VERTEX_4;
+            (Some(normal_of(&tangents, homogeneous)), [x, y, z, if homogeneous { w } else { 1.0 }])
         } else {
-            on[MAP_NORMAL].then(|| at(self, MAP_NORMAL))
+            (on[MAP_NORMAL].then(|| at(self, MAP_NORMAL)), at(self, vertex))
         };
-        let position = at(self, vertex);
         self.evaluated_vertex(color, normal, texture, position);
     }
 
@@ -108,10 +110,10 @@ impl Context {
         if i2 as i64 - i1 as i64 > MESH_LIMIT {
             return self.set_error(GL_OUT_OF_MEMORY, "glEvalMesh1");
         }
+        let [u1, u2] = self.state.eval.grid1_domain;
+        let steps = Steps::new(i1, i2, self.state.eval.grid1_divisions, u1, u2);
         self.begin(primitive);
-        for i in i1..=i2 {
-            self.eval_point1(i);
-        }
+        steps.for_each(|u| self.eval_coord1(u));
         self.end();
     }
 
@@ -130,39 +132,73 @@ impl Context {
         if size[0].saturating_mul(size[1]) > MESH_LIMIT || size.into_iter().any(|n| n > MESH_LIMIT) {
             return self.set_error(GL_OUT_OF_MEMORY, "glEvalMesh2");
         }
+        let eval = &self.state.eval;
+        let ([u1, u2, v1, v2], [un, vn]) = (eval.grid2_domain, eval.grid2_divisions);
+        let (us, vs) = (Steps::new(i1, i2, un, u1, u2), Steps::new(j1, j2, vn, v1, v2));
         match mode {
             GL_POINT => {
                 self.begin(GL_POINTS);
-                for j in j1..=j2 {
-                    for i in i1..=i2 {
-                        self.eval_point2(i, j);
-                    }
-                }
+                vs.for_each(|v| us.clone().for_each(|u| self.eval_coord2(u, v)));
                 self.end();
             }
             GL_LINE => {
-                for j in j1..=j2 {
+                for v in vs.clone() {
                     self.begin(GL_LINE_STRIP);
-                    (i1..=i2).for_each(|i| self.eval_point2(i, j));
+                    us.clone().for_each(|u| self.eval_coord2(u, v));
                     self.end();
                 }
-                for i in i1..=i2 {
+                for u in us {
                     self.begin(GL_LINE_STRIP);
-                    (j1..=j2).for_each(|j| self.eval_point2(i, j));
+                    vs.clone().for_each(|v| self.eval_coord2(u, v));
                     self.end();
                 }
             }
             _ => {
-                for j in j1..j2 {
-                    self.begin(GL_QUAD_STRIP);
-                    for i in i1..=i2 {
-                        self.eval_point2(i, j);
-                        self.eval_point2(i, j + 1);
+                // Where nobody sees the difference, along the diagonal that OSMesa takes.
+                let plain = self.state.lighting.shade_model == GL_SMOOTH && self.state.polygon.mode == [GL_FILL; 2];
+                for (v, next) in vs.clone().zip(vs.skip(1)) {
+                    self.begin(if plain { GL_TRIANGLE_STRIP } else { GL_QUAD_STRIP });
+                    for u in us.clone() {
+                        self.eval_coord2(u, v);
+                        self.eval_coord2(u, next);
                     }
                     self.end();
                 }
             }
         }
+    }
+}
+
+/// The coordinates of grid points `first..=last` of `n` divisions of a domain.
+#[derive(Clone)]
+struct Steps {
+    next: i64,
+    last: i64,
+    n: i64,
+    value: f32,
+    step: f32,
+    end: f32,
+}
+
+impl Steps {
+    fn new(first: i32, last: i32, n: i32, u1: f32, u2: f32) -> Steps {
+        let step = (u2 - u1) / n as f32;
+        Steps { next: first.into(), last: last.into(), n: n.into(), value: u1 + first as f32 * step, step, end: u2 }
+    }
+}
+
+impl Iterator for Steps {
+    type Item = f32;
+
+    /// Adds step after step, as OSMesa does; the end of the domain is met exactly (5.1).
+    fn next(&mut self) -> Option<f32> {
+        if self.next > self.last {
+            return None;
+        }
+        let value = if self.next == self.n { self.end } else { self.value };
+        self.next += 1;
+        self.value += self.step;
+        Some(value)
     }
 }
 
@@ -178,15 +214,17 @@ fn grid(i: i32, n: i32, first: f32, last: f32) -> f32 {
 
 /// Unit normal of a surface point (GL_AUTO_NORMAL).
 fn normal_of(t: &Tangents, homogeneous: bool) -> [f32; 4] {
-    let project = |d: &[f64; 4]| -> [f64; 3] {
+    let project = |d: &[f32; 4]| -> [f32; 3] {
         if homogeneous {
             // Derivative of x / w up to the factor 1 / w².
-            std::array::from_fn(|i| d[i] * t.point[3] - t.point[i] * d[3])
+            std::array::from_fn(|k| d[k] * t.point[3] - d[3] * t.point[k])
         } else {
             [d[0], d[1], d[2]]
         }
     };
-    let (u, v) = (glam::DVec3::from(project(&t.du)), glam::DVec3::from(project(&t.dv)));
-    let normal = u.cross(v).normalize_or_zero().as_vec3();
-    [normal.x, normal.y, normal.z, 1.0]
+    let (u, v) = (project(&t.du), project(&t.dv));
+    let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    let squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    let scale = if squared > 0.0 { 1.0 / squared.sqrt() } else { 1.0 };
+    [n[0] * scale, n[1] * scale, n[2] * scale, 1.0]
 }
