@@ -17,6 +17,11 @@ fn clear_value(value: f32) -> i16 {
     (((65535.0 * value) as i32 - 1) / 2) as i16
 }
 
+/// Rounds towards zero. Values beyond [-1, 1] are undefined (4.2.4); they wrap around, as in Mesa.
+fn truncate(value: f32) -> i16 {
+    value as i32 as i16
+}
+
 impl AccumBuffer {
     fn new(width: usize, height: usize) -> AccumBuffer {
         AccumBuffer { width, height, values: vec![[0; 4]; width * height] }
@@ -83,9 +88,8 @@ impl Context {
             return;
         }
         match op {
-            // Rounded towards zero, saturating: Mesa's arithmetic but for its wrapping around.
-            GL_ADD => self.accum_buffer().update(rect, |a| a.saturating_add((value * 32767.0) as i16)),
-            GL_MULT => self.accum_buffer().update(rect, |a| (a as f32 * value) as i16),
+            GL_ADD => self.accum_buffer().update(rect, |a| a.wrapping_add(truncate(value * 32767.0))),
+            GL_MULT => self.accum_buffer().update(rect, |a| truncate(a as f32 * value)),
             GL_RETURN => self.return_accum(rect, value),
             _ => self.load_accum(rect, value, op == GL_ACCUM),
         }
@@ -103,8 +107,8 @@ impl Context {
         for (row, colors) in colors.chunks_exact(rect.width().max(1)).enumerate() {
             for (accum, color) in buffer.row_mut(rect, rect.min[1] + row as i32).iter_mut().zip(colors) {
                 *accum = std::array::from_fn(|k| {
-                    let new = (color[k] * scale) as i16;
-                    if add { accum[k].saturating_add(new) } else { new }
+                    let new = truncate(color[k] * scale);
+                    if add { accum[k].wrapping_add(new) } else { new }
                 });
             }
         }

@@ -58,6 +58,7 @@ impl Context {
 
     /// Draws colours (after transfer) or depths (before) at the raster position.
     pub(crate) fn draw_groups(&mut self, size: [usize; 2], groups: Groups) {
+        let Some(groups) = self.record_zoomed(size, groups) else { return };
         let Some(placed) = self.place_rectangle(size) else { return };
         match groups {
             Groups::Depth(depths) => {

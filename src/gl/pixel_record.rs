@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Context;
-use super::framebuffer::Rect;
+use super::framebuffer::{Rect, depth_max};
 use super::pixel_format::Groups;
 use super::pixel_rectangle::Placed;
 use super::texture_object::unique_image_id;
@@ -15,6 +15,33 @@ use crate::raster::layout::ATTRIBUTES;
 
 /// Rectangles that are handed to the recorder at once.
 const CHUNK: usize = 4096;
+
+/// Window coordinates that a zoomed quad may have; the rasterizer takes no more.
+const LARGEST_QUAD: f32 = 8000.0;
+/// Largest width and height of an image in a texture slot.
+const LARGEST_IMAGE: usize = 16384;
+
+/// An image for a texture slot: nearest texels.
+fn image_binding(size: [usize; 2], groups: Groups) -> Option<TextureBinding> {
+    let (format, texels) = match groups {
+        Groups::Rgba8(p) => (TexelFormat::Rgba8, p),
+        Groups::Rgba(p) => (TexelFormat::Rgba32f, p.iter().flat_map(|c| c.map(|c| c.clamp(0.0, 1.0).to_bits())).collect()),
+        _ => return None,
+    };
+    let [width, height] = size.map(|n| n as u32);
+    let level = TextureLevel { width, height, depth: 1, texels: Arc::new(texels) };
+    let image = Arc::new(TextureImage { id: unique_image_id(), kind: TextureKind::D2, format, levels: vec![level] });
+    let sampler = Sampler {
+        wrap: [Wrap::ClampToEdge; 3],
+        mag_linear: false,
+        min_linear: false,
+        mip_linear: None,
+        lod_range: [-1000.0, 1000.0],
+        lod_bias: 0.0,
+        border: [0.0; 4],
+    };
+    Some(TextureBinding { image, sampler })
+}
 
 /// Fragments of one colour and depth.
 #[derive(Clone, Copy)]
@@ -44,36 +71,51 @@ impl Context {
 
     /// Records colours, one a pixel: an image on one rectangle, texels and pixels of the same size.
     pub(crate) fn record_image(&mut self, placed: &Placed, groups: Groups) {
-        let (format, texels) = match groups {
-            Groups::Rgba8(p) => (TexelFormat::Rgba8, p),
-            Groups::Rgba(p) => (TexelFormat::Rgba32f, p.iter().flat_map(|c| c.map(|c| c.clamp(0.0, 1.0).to_bits())).collect()),
-            _ => return,
-        };
         let rect = placed.rect;
-        let (width, height) = (rect.width() as u32, rect.height() as u32);
-        let level = TextureLevel { width, height, depth: 1, texels: Arc::new(texels) };
-        let image = Arc::new(TextureImage { id: unique_image_id(), kind: TextureKind::D2, format, levels: vec![level] });
-        let sampler = Sampler {
-            wrap: [Wrap::ClampToEdge; 3],
-            mag_linear: false,
-            min_linear: false,
-            mip_linear: None,
-            lod_range: [-1000.0, 1000.0],
-            lod_bias: 0.0,
-            border: [0.0; 4],
-        };
+        let Some(image) = image_binding([rect.width(), rect.height()], groups) else { return };
         let depth = self.state.current.raster.position[2];
+        self.record_quad(image, self.corners(rect, depth));
+    }
+
+    /// Records colours with a zoom other than 1 and -1 as one quad, so that the rasterizer decides at every edge between two groups
+    /// as Mesa's does. Hands the groups back where that is not for them: depths, and rectangles too large for it.
+    pub(crate) fn record_zoomed(&mut self, size: [usize; 2], groups: Groups) -> Option<Groups> {
+        let zoom = self.state.pixel.zoom;
+        if !matches!(groups, Groups::Rgba8(_) | Groups::Rgba(_)) || zoom.iter().all(|z| z.abs() == 1.0) {
+            return Some(groups);
+        }
+        let position = self.state.current.raster.position;
+        let window = self.window_size.map(|n| n as f32);
+        let low = [position[0].round(), position[1].round()];
+        let high = [0, 1].map(|k| low[k] + size[k] as f32 * zoom[k]);
+        let fits = low.iter().chain(&high).all(|c| c.abs() < LARGEST_QUAD) && size.iter().all(|&n| (1..=LARGEST_IMAGE).contains(&n));
+        if !fits {
+            return Some(groups);
+        }
+        // Through clip coordinates and the viewport, with Mesa's roundings; rows of a window surface run downwards.
+        let x = |x: f32| (x / window[0] * 2.0 - 1.0).mul_add(window[0] * 0.5, window[0] * 0.5);
+        let y = |y: f32| (y / window[1] * 2.0 - 1.0).mul_add(window[1] * -0.5, window[1] * 0.5);
+        let corners = [(low[0], low[1], 0.0, 0.0), (high[0], low[1], 1.0, 0.0), (high[0], high[1], 1.0, 1.0), (low[0], high[1], 0.0, 1.0)];
+        if let Some(image) = image_binding(size, groups) {
+            self.record_quad(image, corners.map(|(u, v, s, t)| ([x(u), y(v), position[2], 1.0], s, t)));
+        }
+        None
+    }
+
+    fn record_quad(&mut self, image: TextureBinding, corners: [([f32; 4], f32, f32); 4]) {
         let mut data = Vec::with_capacity(8);
-        for (position, s, t) in self.corners(rect, depth) {
+        for (position, s, t) in corners {
             data.extend([position, [s, t, 0.0, 1.0]]);
         }
-        self.draw_rectangles(Some(TextureBinding { image, sampler }), 1 << IMAGE_COORDINATES, &data);
+        self.draw_rectangles(Some(image), 1 << IMAGE_COORDINATES, &data);
     }
 
     /// Records fragments of the raster colour, each with its depth.
     pub(crate) fn record_depths(&mut self, placed: &Placed, depths: &[f64]) {
         let color = self.state.current.raster.color;
-        self.record_rows(placed, depths, |depth| (color, depth as f32));
+        // Rounded to the buffer's steps first, in double precision: single precision would miss some by one.
+        let max = depth_max(self.config.surface_format().depth);
+        self.record_rows(placed, depths, |depth| (color, ((depth * max).round_ties_even() / max) as f32));
     }
 
     fn record_rows<T: Copy + PartialEq>(&mut self, placed: &Placed, values: &[T], fragment: impl Fn(T) -> ([f32; 4], f32)) {
