@@ -79,6 +79,8 @@ fn open() -> Result<Gpu, String> {
         ..Default::default()
     };
     let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(|e| format!("{}: {e}", info.name))?;
+    // A kernel that does not build, or a device that is lost, costs the picture, not the process.
+    device.on_uncaptured_error(std::sync::Arc::new(|e| log::error!(target: "tepui::gpu", "{e}")));
     let cpu = info.device_type == wgpu::DeviceType::Cpu;
     // Every GPU fuses; Mesa's software driver does not.
     let fma64 = cpu && features.contains(wgpu::Features::SHADER_F64);

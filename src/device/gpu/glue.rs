@@ -79,17 +79,14 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
 
     // What depends on the column only is worked out once a triangle where a lane has a whole column.
     let hoist = shape.fine_lanes < 64;
-    // Colours forgive a rounding more; where a texel is, or what is compared, does not.
-    let exact = !key.textures.is_empty();
-    let fma4 =
-        |a: &str, b: String, c: String| if exact { format!("tp_fma4({a}, {b}, {c})") } else { format!("fma(vec4<f32>({a}), {b}, {c})") };
+    let fma4 = |a: &str, b: String, c: String| format!("tp_fma4({a}, {b}, {c})");
     {
         let columns = if hoist { &mut glue.planes } else { &mut glue.depth };
         if needs_z {
             columns.push_str("let zx = tp_fma(x, p1, p0);\n");
         }
         if needs_w {
-            let _ = writeln!(columns, "let wx = {}(x, p4, p3);", if exact { "tp_fma" } else { "fma" });
+            columns.push_str("let wx = tp_fma(x, p4, p3);\n");
         }
     }
     if needs_z {
@@ -127,7 +124,7 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
     }
     let shade = &mut glue.shade;
     if needs_w {
-        let _ = writeln!(shade, "let w = {}(y, p5, wx);\nlet reciprocal = 1.0 / w;", if exact { "tp_fma" } else { "fma" });
+        shade.push_str("let w = tp_fma(y, p5, wx);\nlet reciprocal = 1.0 / w;\n");
     }
     if quad {
         shade.push_str("let qy = f32(py & ~1);\nlet qy1 = qy + 1.0;\n");

@@ -186,7 +186,7 @@ fn finish(b: Build) -> FixedProgram {
         inputs: b.inputs,
         varyings: b.varyings,
         uniform_vec4: b.t.slots.len() as u32,
-        texture_slots: textures,
+        texture_slots: textures + (b.key.source == Source::Image) as u32,
         shortcut,
         ..Interface::default()
     };
