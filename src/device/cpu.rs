@@ -3,6 +3,7 @@
 //! Runs of primitives are set up in parallel, each with bin lists of its own; bins are then drawn in parallel, each
 //! walking the runs in order. The result does not depend on the number of threads.
 
+use std::cell::RefCell;
 use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
@@ -10,6 +11,7 @@ use rayon::prelude::*;
 use super::{Device, Pixels, Surface, SurfaceFormat};
 use crate::draw::{Batch, Step};
 use crate::raster::fine::{Plan, Scene, Work, Worker, run_bin};
+use crate::raster::layout::raster_flags;
 use crate::raster::setup::{Chunk, SetupInput};
 use crate::raster::simd::Level;
 use crate::raster::store::Store;
@@ -19,6 +21,12 @@ use crate::raster::vertex::{BLOCK, ScreenVertex, VertexWorker, place};
 const CHUNK: u32 = 2048;
 /// Below this many vertices and primitives the calling thread does the work alone.
 const WORTH_SHARING: u64 = 4096;
+
+thread_local! {
+    // A worker's memory stays with its thread. No stage runs inside another, so that a borrow is never taken twice.
+    static VERTEX: RefCell<VertexWorker> = RefCell::default();
+    static FINE: RefCell<Worker> = RefCell::default();
+}
 
 /// The CPU.
 pub struct CpuDevice {
@@ -75,22 +83,13 @@ impl Device for CpuDevice {
     }
 }
 
-/// Which copy of the pixels is ahead.
-#[derive(Clone, Copy, PartialEq)]
-enum Newer {
-    Same,
-    Store,
-    Pixels,
-}
-
 /// Memory that is kept from batch to batch.
 #[derive(Default)]
 struct Scratch {
     shaded: Vec<[f32; 4]>,
     screen: Vec<ScreenVertex>,
     chunks: Vec<Chunk>,
-    vertex: VertexWorker,
-    fine: Worker,
+    stipple_counter: u32,
 }
 
 /// A surface of the CPU executor.
@@ -98,7 +97,11 @@ pub struct CpuSurface {
     shared: Arc<Shared>,
     store: Store,
     pixels: Pixels,
-    newer: Newer,
+    /// `pixels` was handed out to be changed.
+    pixels_newer: bool,
+    /// `pixels` lags behind in colour, in depth and stencil.
+    color_stale: bool,
+    depth_stale: bool,
     scratch: Scratch,
 }
 
@@ -109,7 +112,9 @@ impl CpuSurface {
             shared: device.shared.clone(),
             store: Store::new(width, height, format),
             pixels: Pixels::new(width, height, format),
-            newer: Newer::Same,
+            pixels_newer: false,
+            color_stale: false,
+            depth_stale: false,
             scratch: Scratch::default(),
         }
     }
@@ -135,10 +140,10 @@ impl CpuSurface {
 
     /// The store is about to change.
     fn begin(&mut self) {
-        if self.newer == Newer::Pixels {
+        if std::mem::take(&mut self.pixels_newer) {
             self.store.write(&self.pixels);
         }
-        self.newer = Newer::Store;
+        (self.color_stale, self.depth_stale) = (true, true);
     }
 }
 
@@ -152,16 +157,22 @@ impl Surface for CpuSurface {
     }
 
     fn pixels(&mut self) -> &Pixels {
-        if self.newer == Newer::Store {
-            self.store.read(&mut self.pixels);
-            self.newer = Newer::Same;
+        if std::mem::take(&mut self.depth_stale) {
+            self.store.read_depth_stencil(&mut self.pixels);
+        }
+        self.color_pixels()
+    }
+
+    fn color_pixels(&mut self) -> &Pixels {
+        if std::mem::take(&mut self.color_stale) {
+            self.store.read_color(&mut self.pixels);
         }
         &self.pixels
     }
 
     fn pixels_mut(&mut self) -> &mut Pixels {
         self.pixels();
-        self.newer = Newer::Pixels;
+        self.pixels_newer = true;
         &mut self.pixels
     }
 }
@@ -202,7 +213,7 @@ fn shade(batch: &Batch, scratch: &mut Scratch, pool: Option<&rayon::ThreadPool>)
                 .with_min_len(4)
                 .for_each_init(VertexWorker::default, |w, (draw, first, s, p)| w.run(batch, draw, first, s, p))
         }),
-        _ => blocks.into_iter().for_each(|(draw, first, s, p)| scratch.vertex.run(batch, draw, first, s, p)),
+        _ => VERTEX.with_borrow_mut(|w| blocks.into_iter().for_each(|(draw, first, s, p)| w.run(batch, draw, first, s, p))),
     }
     bases
 }
@@ -232,7 +243,18 @@ fn draw(batch: &Batch, store: &mut Store, scratch: &mut Scratch, screen_base: &[
         chunk.run(&input, first, end);
         chunk.bins.run(&chunk.triangles, bins[0], bins[1]);
     };
+    // The stipple counter runs on from line to line.
+    let stippled = batch.raster_states.iter().any(|s| s.flags & raster_flags::LINE_STIPPLE != 0);
     match pool {
+        _ if stippled => {
+            let mut counter = scratch.stipple_counter;
+            for (chunk, &(_, first, end)) in chunks.iter_mut().zip(&runs) {
+                chunk.stipple_counter = counter;
+                set_up(chunk, first, end);
+                counter = chunk.stipple_counter;
+            }
+            scratch.stipple_counter = counter;
+        }
         Some(pool) if runs.len() > 1 => {
             pool.install(|| chunks.par_iter_mut().zip(&runs).for_each(|(chunk, &(_, first, end))| set_up(chunk, first, end)));
         }
@@ -255,8 +277,8 @@ fn draw(batch: &Batch, store: &mut Store, scratch: &mut Scratch, screen_base: &[
     let bins = store.split();
     match pool {
         Some(pool) if bins.len() > 1 => pool.install(|| {
-            bins.into_par_iter().enumerate().for_each_init(Worker::default, |w, (k, mut bin)| run_bin(level, w, &scene, k, &mut bin));
+            bins.into_par_iter().enumerate().for_each(|(k, mut bin)| FINE.with_borrow_mut(|w| run_bin(level, w, &scene, k, &mut bin)));
         }),
-        _ => bins.into_iter().enumerate().for_each(|(k, mut bin)| run_bin(level, &mut scratch.fine, &scene, k, &mut bin)),
+        _ => FINE.with_borrow_mut(|w| bins.into_iter().enumerate().for_each(|(k, mut bin)| run_bin(level, w, &scene, k, &mut bin))),
     }
 }

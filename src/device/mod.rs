@@ -96,7 +96,11 @@ pub trait Surface: Send {
     fn execute(&mut self, batch: Batch);
     /// The pixels after all batches so far, to read.
     fn pixels(&mut self) -> &Pixels;
-    /// The same, to change.
+    /// The same, but only the colour need be up to date.
+    fn color_pixels(&mut self) -> &Pixels {
+        self.pixels()
+    }
+    /// The same as `pixels`, to change.
     fn pixels_mut(&mut self) -> &mut Pixels;
 }
 

@@ -132,6 +132,19 @@ pub fn blend<S: Simd>(state: &FragmentState, constant: (i32, i32), s: Pairs<S::I
     (color.0, S::or(S::and(color.1, S::i(0xffff)), S::andnot(S::i(0xffff), a.1)))
 }
 
+/// SRC_ALPHA, ONE_MINUS_SRC_ALPHA of all four components: [`blend`] without its choices.
+#[inline(always)]
+pub fn over<S: Simd>(s: Pairs<S::I>, d: Pairs<S::I>) -> Pairs<S::I> {
+    let a = S::shr::<16>(s.1);
+    let a = S::or(a, S::shl::<16>(a));
+    let not = S::sub16(S::i(0x00ff_00ff), a);
+    let most = S::i(0x00ff_00ff);
+    (
+        S::min16(S::add16(mul255::<S>(s.0, a), mul255::<S>(d.0, not)), most),
+        S::min16(S::add16(mul255::<S>(s.1, a), mul255::<S>(d.1, not)), most),
+    )
+}
+
 /// A logic op on packed pixels (GL's op minus GL_CLEAR).
 #[inline(always)]
 pub fn logic_op<S: Simd>(op: u32, s: S::I, d: S::I) -> S::I {

@@ -8,8 +8,8 @@ use super::layout::*;
 use super::setup::Chunk;
 use super::simd::Simd;
 use super::store::BinPixels;
-use super::tile::{Edges, FULL, rectangle_mask};
-use super::{blend, clear, depth_stencil};
+use super::tile::{FULL, LocalEdges, rectangle_mask};
+use super::{blend, clear, depth_stencil, fast};
 use crate::device::{ColorFormat, SurfaceFormat};
 use crate::draw::{Batch, Clear};
 use crate::program::lanes::{Column4, Environment, FragmentResults, GROUPS, LANES, Machine, ZERO4};
@@ -53,12 +53,18 @@ pub struct Plan<'a> {
     pub tests: bool,
     /// Rows of the polygon stipple.
     stipple: Option<&'a [u32; 32]>,
-    depth_scale: f32,
-    depth_range: [f32; 2],
+    /// Largest depth value.
+    pub depth_scale: f32,
+    /// What depth is clamped to.
+    pub depth_range: [f32; 2],
     constant: (i32, i32),
     write_mask: u32,
+    /// Which routine of [`super::fast`] serves the draw: `fast::*`.
+    pub fast: u32,
+    /// Added to the stored depth before "less": 1 for LEQUAL.
+    pub depth_bias: i32,
     /// Vec4 of a varying's planes that are interpolated: mode by varying.
-    modes: [u32; MAX_VARYINGS],
+    pub modes: [u32; MAX_VARYINGS],
 }
 
 impl<'a> Plan<'a> {
@@ -88,6 +94,8 @@ impl<'a> Plan<'a> {
             depth_range: raster.depth_range,
             constant: blend::constant_pairs(state),
             write_mask,
+            fast: fast::choose(state, format, direct.is_some(), write_mask),
+            depth_bias: (state.depth_func == compare::LEQUAL) as i32,
             modes: draw.record.varyings.map(|v| v >> 16 & 3),
         }
     }
@@ -166,29 +174,56 @@ fn bin_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, index: usize, bin: &m
 #[inline(always)]
 fn triangle<S: Simd>(worker: &mut Worker, scene: &Scene, t: &Triangle, planes: &[[f32; 4]], bin: &mut BinPixels) {
     let plan = &scene.plans[t.draw as usize];
+    match plan.fast {
+        fast::DEPTH => tiles::<S, { fast::DEPTH }>(worker, scene, plan, t, planes, bin),
+        fast::BLEND => tiles::<S, { fast::BLEND }>(worker, scene, plan, t, planes, bin),
+        fast::DEPTH_BLEND => tiles::<S, { fast::DEPTH_BLEND }>(worker, scene, plan, t, planes, bin),
+        fast::COPY => tiles::<S, { fast::COPY }>(worker, scene, plan, t, planes, bin),
+        _ => tiles::<S, { fast::NONE }>(worker, scene, plan, t, planes, bin),
+    }
+}
+
+/// Walks the tiles of a triangle in a bin; `MODE` is the plan's `fast`.
+#[inline(always)]
+fn tiles<S: Simd, const MODE: u32>(
+    worker: &mut Worker,
+    scene: &Scene,
+    plan: &Plan,
+    t: &Triangle,
+    planes: &[[f32; 4]],
+    bin: &mut BinPixels,
+) {
     let [ox, oy] = bin.origin;
-    let local = Edges::new(t).local(ox, oy);
+    let local = LocalEdges::new(t, ox, oy);
     let columns = ((t.columns & 0xffff) as i32 - ox, (t.columns >> 16) as i32 - ox);
     let rows = ((t.rows & 0xffff) as i32 - oy, (t.rows >> 16) as i32 - oy);
     let (tx0, tx1) = (columns.0.max(0) / 8, columns.1.min(63) / 8);
     let (ty0, ty1) = (rows.0.max(0) / 8, rows.1.min(63) / 8);
     for ty in ty0..=ty1 {
+        let (first, last) = ((rows.0 - ty * 8).max(0), (rows.1 - ty * 8).min(7));
         for tx in tx0..=tx1 {
-            let mut mask = local.coverage::<S>(tx * 8, ty * 8);
+            let mut mask = local.coverage::<S>(tx * 8, ty * 8, first, last);
             if mask == 0 {
                 continue;
             }
-            mask &= rectangle_mask(tx * 8, ty * 8, columns, rows);
+            if t.flags & triangle_flags::CUT != 0 {
+                mask &= rectangle_mask(tx * 8, ty * 8, columns, rows);
+            }
             if let (Some(stipple), true) = (plan.stipple, t.flags & triangle_flags::POLYGON != 0) {
                 mask &= stipple_mask(stipple, scene, ox + tx * 8, oy + ty * 8);
             }
             worker.tiles[(mask != FULL) as usize] += 1;
-            for row in 0..8 {
+            let tile = ((ty * 8 + tx) * 64) as usize;
+            if MODE != fast::NONE {
+                fast::tile::<S, MODE>(plan, t, planes, bin, tile, [ox + tx * 8, oy + ty * 8], mask);
+                continue;
+            }
+            while mask != 0 {
+                let row = mask.trailing_zeros() as i32 / 8;
                 let bits = (mask >> (8 * row)) as u32 & 0xff;
-                if bits != 0 {
-                    let at = ((ty * 8 + tx) * 64 + row * 8) as usize;
-                    row_of_pixels::<S>(worker, scene, plan, t, planes, bin, at, [ox + tx * 8, oy + ty * 8 + row], bits);
-                }
+                mask &= !(0xff << (8 * row));
+                let place = [ox + tx * 8, oy + ty * 8 + row];
+                row_of_pixels::<S>(worker, scene, plan, t, planes, bin, tile + row as usize * 8, place, bits);
             }
         }
     }
@@ -207,7 +242,7 @@ fn stipple_mask(stipple: &[u32; 32], scene: &Scene, x: i32, y: i32) -> u64 {
 
 /// Lanes whose bit is set.
 #[inline(always)]
-fn lanes<S: Simd>(bits: u32) -> S::I {
+pub fn lanes<S: Simd>(bits: u32) -> S::I {
     let which = S::load_u(&[1, 2, 4, 8, 16, 32, 64, 128]);
     S::eq(S::and(S::i(bits as i32), which), which)
 }
@@ -218,7 +253,9 @@ fn at<S: Simd>(a0: f32, dx: f32, dy: f32, x: S::F, y: S::F) -> S::F {
     S::fma(y, S::f(dy), S::fma(x, S::f(dx), S::f(a0)))
 }
 
-fn row8(words: &mut [u32], at: usize) -> &mut [u32; 8] {
+/// Eight words from `at` on.
+#[inline(always)]
+pub fn row8(words: &mut [u32], at: usize) -> &mut [u32; 8] {
     (&mut words[at..at + 8]).try_into().expect("eight words")
 }
 

@@ -316,6 +316,8 @@ pub mod triangle_flags {
     pub const PERSPECTIVE: u32 = 1 << 2;
     /// Row 0 of the surface is GL's bottom row: decides which horizontal edges are inclusive.
     pub const BOTTOM_UP: u32 = 1 << 3;
+    /// The scissor cuts its bounds: coverage has to be looked at against `columns` and `rows`.
+    pub const CUT: u32 = 1 << 4;
 }
 
 /// Planes at the head of a triangle's block: z and 1/w at any pixel, `a0 + dx * x + dy * y` with x, y the integer

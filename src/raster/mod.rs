@@ -8,6 +8,7 @@ pub mod blend;
 pub mod clear;
 pub mod clip;
 pub mod depth_stencil;
+pub mod fast;
 pub mod fine;
 pub mod formats;
 pub mod layout;

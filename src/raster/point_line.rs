@@ -1,8 +1,87 @@
-//! Points and lines become rectangles: two triangles that share one set of planes.
+//! Points and lines become rectangles: two triangles that share one set of planes. Which pixels they cover follows
+//! llvmpipe: a point is a square of whole pixels; a line is a parallelogram as wide as the line in its minor
+//! direction, its ends moved so that the first and last pixel obey the diamond-exit rule (3.4.1).
 
 use super::layout::*;
 use super::setup::{Chunk, Context, Corner, bounds};
-use super::vertex::snap;
+use super::vertex::{COORDINATE_RANGE, snap};
+
+fn in_range(v: f32) -> f32 {
+    if v > COORDINATE_RANGE[0] { v.min(COORDINATE_RANGE[1]) } else { COORDINATE_RANGE[0] }
+}
+
+/// What the ends of a line look like along its major direction.
+struct Ends {
+    /// How far the ends move: major and minor direction of the start, then of the end.
+    start: [f32; 2],
+    end: [f32; 2],
+}
+
+/// Applies the diamond-exit rule to a line from `a` to `b`, given as (major, minor) coordinates. `d` is `a - b`;
+/// `y_major` says which of the two sets of tie rules applies.
+fn ends(a: [f32; 2], b: [f32; 2], d: [f32; 2], y_major: bool) -> Ends {
+    let slope = d[1] / d[0];
+    let fraction = |v: f32| v - v.floor();
+    let off = |v: f32| fraction(v) - 0.5;
+    let positive = |v: f32| v >= 0.0;
+    let [major1, minor1] = a.map(off);
+    let [major2, mut minor2] = b.map(off);
+    if minor2 == -0.5 && d[1] < 0.0 {
+        minor2 = 0.5;
+    }
+    let crosses = |minor: f32, major: f32| fraction(minor) + major * slope;
+    let (draw_start, draw_end, starts, stops);
+    if !y_major {
+        draw_start = if major1.abs() + minor1.abs() < 0.5 {
+            true
+        } else if positive(major1) == positive(-d[0]) {
+            false
+        } else if positive(-minor1) != positive(d[1]) {
+            true
+        } else {
+            let at = crosses(a[1], major1);
+            at < 1.0 && at > 0.0
+        };
+        draw_end = if major2.abs() + minor2.abs() < 0.5 || positive(major2) != positive(-d[0]) {
+            false
+        } else if positive(-minor2) == positive(d[1]) {
+            true
+        } else {
+            let at = crosses(b[1], major2);
+            at < 1.0 && at > 0.0
+        };
+        starts = positive(-major1) != positive(d[0]);
+        stops = positive(major2) == positive(-d[0]) || major2 == 0.0;
+    } else {
+        draw_start = if major1.abs() + minor1.abs() < 0.5 {
+            true
+        } else if positive(-major1) == positive(d[0]) {
+            false
+        } else if positive(minor1) != positive(-d[1]) {
+            true
+        } else {
+            let at = crosses(a[1], major1);
+            at < 1.0 && at > 0.0
+        };
+        draw_end = if major2.abs() + minor2.abs() < 0.5 || positive(-major2) != positive(d[0]) {
+            false
+        } else if positive(minor2) == positive(-d[1]) {
+            true
+        } else {
+            let at = crosses(b[1], major2);
+            at < 1.0 && at >= 0.0
+        };
+        starts = positive(major1) == positive(d[0]);
+        stops = positive(-major2) == positive(d[0]) || major2 == 0.0;
+    }
+    // Ends move to the border of their pixel: the far one where the line runs up, the near one where it runs down.
+    let border = if d[0] < 0.0 { -0.5 } else { 0.5 };
+    let moved = |moves: bool, major: f32| {
+        let by = if moves { border - major } else { 0.0 };
+        [by, by * slope]
+    };
+    Ends { start: moved(starts != draw_start, major1), end: moved(stops != draw_end, major2) }
+}
 
 impl Chunk {
     /// Appends the two triangles of a convex quadrilateral in snapped coordinates, one set of planes before them.
@@ -18,25 +97,32 @@ impl Chunk {
                 x.swap(0, 1);
                 y.swap(0, 1);
             }
-            let Some((columns, rows)) = bounds(x, y, context.state) else { continue };
+            let Some((columns, rows, cut)) = bounds(x, y, context.state) else { continue };
+            let flags = flags | cut;
             self.triangles.push(Triangle { x, y, draw: context.draw, flags, columns, rows, planes, primitive: context.primitive });
         }
     }
 
-    /// A point: a square around its place, all values constant.
+    /// A point: a square of pixels around its place, all values constant.
     pub fn point(&mut self, context: &Context, a: &Corner, front: bool) {
         let (record, state) = (context.record, context.state);
         let size = if record.point_size == NONE { state.point_size } else { a.shaded[record.point_size as usize][0] };
-        let size = size.clamp(1.0, 255.0);
-        let half = (size * 0.5 * 256.0) as i32;
-        let [cx, cy] = [a.screen.position[0], a.screen.position[1]].map(snap);
-        let (x0, x1, y0, y1) = (cx - half, cx + half, cy - half, cy + half);
+        // Halves round down.
+        let width = if size > 1.0 { (size.min(255.0) - 0.5).ceil() as i32 } else { 1 };
+        let adjust = [0, context.top_first as i32];
+        let first = [0, 1].map(|k| {
+            let at = (in_range(a.screen.position[k]) * 256.0).round_ties_even() as i32 - adjust[k];
+            if width & 1 != 0 { (at >> SUBPIXEL_BITS) - (width - 1) / 2 } else { ((at + 128) >> SUBPIXEL_BITS) - width / 2 }
+        });
+        // Between the pixel centres, so that no tie arises.
+        let [(x0, x1), (y0, y1)] = first.map(|f| ((f << SUBPIXEL_BITS) - 128, ((f + width) << SUBPIXEL_BITS) - 128));
         let planes = self.planes.len() as u32;
         self.planes.push([a.screen.position[2], 0.0, 0.0, a.screen.inv_w]);
         self.planes.push([0.0; 4]);
         for &varying in &record.varyings[..record.varying_count as usize] {
             let at = (if front { varying } else { varying >> 8 } & 0xff) as usize;
             let value = match varying >> 16 & 3 {
+                interpolation::FLAT => context.provoking[at],
                 interpolation::PERSPECTIVE => a.shaded[at].map(|v| v * a.screen.inv_w),
                 _ => a.shaded[at],
             };
@@ -46,22 +132,71 @@ impl Chunk {
         self.rectangle(context, [x0, x1, x1, x0], [y0, y0, y1, y1], flags, planes);
     }
 
+    /// A line, cut into its "on" segments where it is stippled.
+    pub fn stippled_line(&mut self, context: &Context, a: &Corner, b: &Corner, front: bool) {
+        let state = context.state;
+        if state.flags & raster_flags::LINE_STIPPLE == 0 {
+            return self.line(context, a, b, front);
+        }
+        let (p, q) = (a.screen.position, b.screen.position);
+        let length = (p[0] - q[0]).abs().max((p[1] - q[1]).abs());
+        if !(length < 65536.0) {
+            return;
+        }
+        let (pattern, factor) = (state.line_stipple & 0xffff, (state.line_stipple >> 16).max(1));
+        let steps = length.ceil() as u32;
+        let mut start = None;
+        for i in 0..=steps {
+            let on = i < steps && pattern >> ((self.stipple_counter.wrapping_add(i) / factor) & 15) & 1 != 0;
+            match start {
+                None if on => start = Some(i),
+                Some(from) if !on => {
+                    let end = if i < steps { i as f32 / length } else { 1.0 };
+                    self.segment(context, a, b, from as f32 / length, end, front);
+                    start = None;
+                }
+                _ => {}
+            }
+        }
+        self.stipple_counter = self.stipple_counter.wrapping_add(steps);
+    }
+
+    /// The part of a line between two parameters, everything interpolated on the screen.
+    fn segment(&mut self, context: &Context, a: &Corner, b: &Corner, t0: f32, t1: f32, front: bool) {
+        let mix = |t: f32, a: f32, b: f32| a + t * (b - a);
+        let stride = context.record.shaded_stride as usize;
+        let ends = [t0, t1].map(|t| {
+            let mut shaded = vec![[0.0; 4]; stride];
+            for (k, v) in shaded.iter_mut().enumerate() {
+                *v = std::array::from_fn(|c| mix(t, a.shaded[k][c], b.shaded[k][c]));
+            }
+            let mut screen = a.screen;
+            screen.position = std::array::from_fn(|c| mix(t, a.screen.position[c], b.screen.position[c]));
+            screen.inv_w = mix(t, a.screen.inv_w, b.screen.inv_w);
+            (screen, shaded)
+        });
+        let corner = |k: usize| Corner { screen: ends[k].0, shaded: &ends[k].1 };
+        let first = if t0 > 0.0 { corner(0) } else { *a };
+        let last = if t1 < 1.0 { corner(1) } else { *b };
+        self.line(context, &first, &last, front);
+    }
+
     /// A line: a parallelogram as wide as the line in its minor direction.
     pub fn line(&mut self, context: &Context, a: &Corner, b: &Corner, front: bool) {
         let (record, state) = (context.record, context.state);
         let (p, q) = (a.screen.position, b.screen.position);
-        let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
-        if dx == 0.0 && dy == 0.0 {
+        let (dx, dy) = (p[0] - q[0], p[1] - q[1]);
+        let area = dx * dx + dy * dy;
+        if !(area > 0.0 && area.is_finite()) {
             return;
         }
-        let half = (state.line_width.clamp(1.0, 255.0) * 0.5 * 256.0) as i32;
-        let [x0, x1, y0, y1] = [p[0], q[0], p[1], q[1]].map(snap);
+        let half = (state.line_width.clamp(1.0, 255.0) + 0.5) as i32 * 256 / 2;
         let planes = self.planes.len() as u32;
         // Along the line only: the gradient is parallel to it.
-        let ool = 1.0 / (dx * dx + dy * dy);
+        let ooa = 1.0 / area;
         let plane = |a0: f32, a1: f32| {
-            let d = (a1 - a0) * ool;
-            let (ddx, ddy) = (d * dx, d * dy);
+            let d = a0 - a1;
+            let (ddx, ddy) = (d * dx * ooa, d * dy * ooa);
             [a0 - (ddx * (p[0] - 0.5) + ddy * (p[1] - 0.5)), ddx, ddy]
         };
         let (z, w) = (plane(p[2], q[2]), plane(a.screen.inv_w, b.screen.inv_w));
@@ -82,8 +217,14 @@ impl Chunk {
         let perspective = a.screen.inv_w != 1.0 || b.screen.inv_w != 1.0;
         let flags = front as u32 * triangle_flags::FRONT | perspective as u32 * triangle_flags::PERSPECTIVE;
         if dx.abs() >= dy.abs() {
+            let e = ends([p[0], p[1]], [q[0], q[1]], [dx, dy], false);
+            let [x0, x1] = [p[0] + e.start[0], q[0] + e.end[0]].map(snap);
+            let [y0, y1] = [p[1] + e.start[1], q[1] + e.end[1]].map(snap);
             self.rectangle(context, [x0, x1, x1, x0], [y0 - half, y1 - half, y1 + half, y0 + half], flags, planes);
         } else {
+            let e = ends([p[1], p[0]], [q[1], q[0]], [dy, dx], true);
+            let [x0, x1] = [p[0] + e.start[1], q[0] + e.end[1]].map(snap);
+            let [y0, y1] = [p[1] + e.start[0], q[1] + e.end[0]].map(snap);
             self.rectangle(context, [x0 - half, x0 + half, x1 + half, x1 - half], [y0, y0, y1, y1], flags, planes);
         }
     }

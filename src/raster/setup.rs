@@ -36,6 +36,8 @@ pub struct Chunk {
     pub dropped: u32,
     /// Primitives that were clipped.
     pub clipped: u32,
+    /// Line stipple counter: set before, read after a run where any line is stippled.
+    pub stipple_counter: u32,
     clipper: Clipper,
 }
 
@@ -94,6 +96,9 @@ impl Chunk {
         };
         let before = self.triangles.len();
         let edge = |bit: u32| primitive.draw_and_flags & bit != 0;
+        if primitive.draw_and_flags & PRIM_RESET_STIPPLE != 0 {
+            self.stipple_counter = 0;
+        }
         let mut context = Context { record, state, draw, primitive: index, provoking: &[], top_first: input.top_first };
         match record.topology {
             topology::POINTS => {
@@ -108,13 +113,13 @@ impl Chunk {
                 context.provoking = b.shaded;
                 let (or, and) = (a.screen.code | b.screen.code, a.screen.code & b.screen.code);
                 if or == 0 {
-                    self.line(&context, &a, &b, true);
+                    self.stippled_line(&context, &a, &b, true);
                 } else if possible(or, and) {
                     self.clipped += 1;
                     clipper.begin(&[(&a.screen, a.shaded, false), (&b.screen, b.shaded, false)]);
                     if clipper.line(or, record, state) {
                         let [a, b] = [0, 1].map(|k| clipped_corner(clipper, clipper.polygon[k], stride));
-                        self.line(&context, &a, &b, true);
+                        self.stippled_line(&context, &a, &b, true);
                     }
                 }
             }
@@ -170,7 +175,7 @@ impl Chunk {
                 let v = v.map(|c| offset_corner(c, offset));
                 for (edge, a, b) in [(edges[2], 2, 0), (edges[0], 0, 1), (edges[1], 1, 2)] {
                     if edge {
-                        self.line(context, &v[a], &v[b], front);
+                        self.stippled_line(context, &v[a], &v[b], front);
                     }
                 }
             }
@@ -192,7 +197,8 @@ impl Chunk {
     /// A filled triangle with positive area. `v[2]`'s place in the order does not matter to flat varyings.
     pub fn triangle(&mut self, context: &Context, v: &[Corner; 3], front: bool, mut flags: u32, offset: bool) {
         let [x, y] = [0, 1].map(|k| v.map(|c| c.screen.snapped[k]));
-        let Some((columns, rows)) = bounds(x, y, context.state) else { return };
+        let Some((columns, rows, cut)) = bounds(x, y, context.state) else { return };
+        flags |= cut;
         if v.iter().any(|c| c.screen.inv_w != 1.0) {
             flags |= triangle_flags::PERSPECTIVE;
         }
@@ -243,15 +249,22 @@ pub fn polygon_offset(state: &RasterState, p: [[f32; 3]; 3]) -> f32 {
     if offset.is_finite() { offset } else { 0.0 }
 }
 
-/// First and last column and row that a sample may lie in, packed; `None` where there is none.
-pub fn bounds(x: [i32; 3], y: [i32; 3], state: &RasterState) -> Option<(u32, u32)> {
-    let range = |v: [i32; 3], k: usize| {
+/// First and last column and row that a sample may lie in, packed, and [`triangle_flags::CUT`] where the scissor took
+/// some away; `None` where there is none.
+#[inline(always)]
+pub fn bounds(x: [i32; 3], y: [i32; 3], state: &RasterState) -> Option<(u32, u32, u32)> {
+    let mut cut = 0;
+    let mut range = |v: [i32; 3], k: usize| {
         let first = (v[0].min(v[1]).min(v[2]) + 255) >> SUBPIXEL_BITS;
         let last = v[0].max(v[1]).max(v[2]) >> SUBPIXEL_BITS;
-        let (first, last) = (first.max(state.scissor_min[k]), last.min(state.scissor_max[k] - 1));
+        let (low, high) = (state.scissor_min[k], state.scissor_max[k] - 1);
+        if first < low || last > high {
+            cut = triangle_flags::CUT;
+        }
+        let (first, last) = (first.max(low), last.min(high));
         (first <= last).then(|| first as u32 | (last as u32) << 16)
     };
-    Some((range(x, 0)?, range(y, 1)?))
+    Some((range(x, 0)?, range(y, 1)?, cut))
 }
 
 /// What all planes of a triangle share.

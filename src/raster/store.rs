@@ -78,16 +78,16 @@ impl Store {
         }
     }
 
-    /// Copies to pixels in rows.
-    pub fn read(&self, to: &mut Pixels) {
-        let words = self.format.color.words();
-        let depth = !self.depth_stencil.is_empty();
-        Store::runs(self.size, self.bins[0], |at, row, n| {
-            to.color[row * words..(row + n) * words].copy_from_slice(&self.color[at * words..(at + n) * words]);
-            if depth {
-                to.depth_stencil[row..row + n].copy_from_slice(&self.depth_stencil[at..at + n]);
-            }
-        });
+    /// Copies colour to pixels in rows.
+    pub fn read_color(&self, to: &mut Pixels) {
+        copy_rows(self, &self.color, &mut to.color, self.format.color.words());
+    }
+
+    /// Copies depth and stencil to pixels in rows.
+    pub fn read_depth_stencil(&self, to: &mut Pixels) {
+        if !self.depth_stencil.is_empty() {
+            copy_rows(self, &self.depth_stencil, &mut to.depth_stencil, 1);
+        }
     }
 
     /// Copies from pixels in rows.
@@ -101,5 +101,28 @@ impl Store {
                 ds[at..at + n].copy_from_slice(&from.depth_stencil[row..row + n]);
             }
         });
+    }
+}
+
+/// Copies words of a store to rows.
+fn copy_rows(store: &Store, from: &[u32], to: &mut [u32], words: usize) {
+    if words != 1 {
+        return Store::runs(store.size, store.bins[0], |at, row, n| {
+            to[row * words..(row + n) * words].copy_from_slice(&from[at * words..(at + n) * words]);
+        });
+    }
+    for (y, row) in to.chunks_exact_mut(store.size[0].max(1) as usize).enumerate() {
+        let y = y as u32;
+        let line = (y / BIN_SIZE * store.bins[0]) as usize * BIN_PIXELS + pixel_index(0, y % BIN_SIZE);
+        let (eights, rest) = row.as_chunks_mut::<8>();
+        for (k, eight) in eights.iter_mut().enumerate() {
+            let at = line + k / 8 * BIN_PIXELS + k % 8 * 64;
+            // A copy of known size is one load and one store, not a call.
+            *eight = *from[at..].first_chunk().expect("a row of a tile");
+        }
+        let k = eights.len();
+        let at = line + k / 8 * BIN_PIXELS + k % 8 * 64;
+        let n = rest.len();
+        rest.copy_from_slice(&from[at.min(from.len() - n)..][..n]);
     }
 }

@@ -68,13 +68,34 @@ impl Edges {
     }
 }
 
+impl LocalEdges {
+    /// The edge functions of a triangle relative to pixel (x, y), by 32-bit arithmetic where the triangle is small and near.
+    #[inline(always)]
+    pub fn new(t: &Triangle, x: i32, y: i32) -> LocalEdges {
+        let bottom_up = t.flags & triangle_flags::BOTTOM_UP != 0;
+        let mut local = LocalEdges { c: [0; 3], a: [0; 3], b: [0; 3] };
+        let mut wide = 0;
+        for i in 0..3 {
+            let j = (i + 1) % 3;
+            let (dcdy, dcdx) = (t.x[i] - t.x[j], t.y[i] - t.y[j]);
+            // Steps below 2^12 and places below 2^15: products and their differences fit.
+            wide |= (dcdy + 2048) as u32 | (dcdx + 2048) as u32;
+            let (px, py) = (t.x[i] - (x << SUBPIXEL_BITS), t.y[i] - (y << SUBPIXEL_BITS));
+            let inclusive = dcdx < 0 || dcdx == 0 && (if bottom_up { dcdy > 0 } else { dcdy < 0 });
+            let c = dcdx.wrapping_mul(px).wrapping_sub(dcdy.wrapping_mul(py)).wrapping_add(inclusive as i32 - 1);
+            (local.c[i], local.a[i], local.b[i]) = (c >> SUBPIXEL_BITS, -dcdx, dcdy);
+        }
+        if wide < 4096 { local } else { Edges::new(t).local(x, y) }
+    }
+}
+
 /// A tile's coverage: bit 8 * y + x.
 pub const FULL: u64 = u64::MAX;
 
 impl LocalEdges {
-    /// Coverage of the tile whose first pixel lies `(x, y)` from the place.
+    /// Coverage of rows `first..=last` of the tile whose first pixel lies `(x, y)` from the place.
     #[inline(always)]
-    pub fn coverage<S: super::simd::Simd>(&self, x: i32, y: i32) -> u64 {
+    pub fn coverage<S: super::simd::Simd>(&self, x: i32, y: i32, first: i32, last: i32) -> u64 {
         let lanes = S::load_u(&[0, 1, 2, 3, 4, 5, 6, 7]);
         let mut rows = [S::i(0); 3];
         let mut full = true;
@@ -85,7 +106,7 @@ impl LocalEdges {
                 return 0;
             }
             full &= c + 7 * (a.min(0) + b.min(0)) >= 0;
-            rows[i] = S::i(c);
+            rows[i] = S::i(c.wrapping_add(b.wrapping_mul(first)));
         }
         if full {
             return FULL;
@@ -101,7 +122,7 @@ impl LocalEdges {
             rows[i] = S::iadd(rows[i], S::and(bit(4), a4));
         }
         let mut mask = 0u64;
-        for row in 0..8 {
+        for row in first..=last {
             let outside = S::signs(S::or(S::or(rows[0], rows[1]), rows[2]));
             mask |= ((!outside & 0xff) as u64) << (8 * row);
             for i in 0..3 {

@@ -24,7 +24,7 @@ pub fn present(content: &mut Content) {
         return;
     }
     let Some(window) = &mut context.window else { return };
-    let pixels = window.pixels();
+    let pixels = if target.depth.is_empty() { window.color_pixels() } else { window.pixels() };
     let (width, height) = (pixels.width as usize, pixels.height as usize);
     let bytes = bytes_per_pixel(target.format, target.kind);
     // A negative row length would leave the buffer; Mesa crashes.
