@@ -38,3 +38,8 @@ fn arguments_are_converted_and_checked() {
 fn another_gl_in_the_process_is_never_called() {
     run("interposed", &["-rdynamic"]);
 }
+
+#[test]
+fn a_program_may_load_and_unload_the_library() {
+    run("unload", &["-Wl,--as-needed", "-ldl"]);
+}

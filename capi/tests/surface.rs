@@ -7,6 +7,11 @@ use std::process::Command;
 
 use support::{library, root, succeed};
 
+/// A machine with a C compiler only is enough for everything else.
+fn has_cpp() -> bool {
+    Command::new("c++").arg("--version").output().is_ok()
+}
+
 fn compile(standard: &str, language: &str, source: &str) {
     let file = library().join(format!("{}.{}", standard.replace('+', "x"), language));
     std::fs::write(&file, source).expect("target can be written");
@@ -18,6 +23,10 @@ fn compile(standard: &str, language: &str, source: &str) {
 #[test]
 fn headers_stand_alone_in_every_standard() {
     for (standard, language) in [("c89", "c"), ("c99", "c"), ("c11", "c"), ("c++98", "cc"), ("c++17", "cc")] {
+        if language == "cc" && !has_cpp() {
+            eprintln!("no C++ compiler: {standard} not tried");
+            continue;
+        }
         for header in ["gl", "glext", "osmesa"] {
             for define in ["", "#define GL_GLEXT_PROTOTYPES\n", "#define GL_GLEXT_LEGACY\n"] {
                 compile(standard, language, &format!("{define}#include <GL/{header}.h>\nGLenum used = GL_TRIANGLES;\n"));
@@ -73,4 +82,22 @@ fn generated_files_are_fresh() {
         cargo.arg("--release");
     }
     succeed(cargo.args(["--", "--check"]));
+}
+
+#[test]
+fn an_installed_library_is_found_by_its_pkg_config_file() {
+    let prefix = library().join("installed");
+    let target = library().ancestors().nth(3).expect("target/<profile>/c-tests/<test>");
+    let mut make = Command::new("make");
+    make.current_dir(root()).args(["--silent", "install"]).arg(format!("PREFIX={}", prefix.display()));
+    succeed(make.env("CARGO", env!("CARGO")).env("CARGO_TARGET_DIR", target));
+    let file = std::fs::read_to_string(prefix.join("lib/pkgconfig/osmesa.pc")).expect("make install wrote it");
+    let value = |key: &str| file.lines().find_map(|line| line.strip_prefix(key)).unwrap_or_default().trim().to_string();
+    let expand = |text: String| text.replace("${includedir}", &value("includedir=")).replace("${libdir}", &value("libdir="));
+    let program = library().join("with_pkg_config");
+    let mut cc = Command::new("cc");
+    cc.arg(root().join("capi/tests/c/sharing.c")).arg("-o").arg(&program);
+    cc.args(expand(value("Cflags:")).split_whitespace()).args(expand(value("Libs:")).split_whitespace());
+    succeed(&mut cc);
+    succeed(Command::new(program).env("LD_LIBRARY_PATH", prefix.join("lib")));
 }

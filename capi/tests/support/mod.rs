@@ -54,7 +54,7 @@ pub fn run(name: &str, flags: &[&str]) -> Output {
     cc.args(["-std=gnu99", "-Wall", "-Wextra", "-Werror", "-Wno-unused-function", "-Wno-cast-function-type", "-O1", "-I"])
         .arg(root().join("include"))
         .arg(source);
-    cc.arg("-o").arg(&program).arg("-L").arg(folder).arg("-lOSMesa").arg(format!("-Wl,-rpath,{}", folder.display())).args(flags);
+    cc.arg("-o").arg(&program).args(flags).arg("-L").arg(folder).arg("-lOSMesa").arg(format!("-Wl,-rpath,{}", folder.display()));
     succeed(&mut cc);
     succeed(Command::new(program).env("TEPUI_LOG", "error"))
 }
