@@ -1,6 +1,6 @@
-//! Clip stage: a primitive that leaves the view volume is cut, plane after plane, as Mesa's draw module does it: from
-//! the vertex outside towards the one inside, new vertices by `out + t * (in - out)` in clip space with unfused
-//! arithmetic, and the polygon drawn as a fan.
+//! Clip stage: a primitive that leaves the view volume is cut, plane after plane, as Mesa's draw module does it: without
+//! a guard band, a new vertex interpolated from the end of the edge that is nearer to the plane, `a + t * (b - a)` in clip
+//! space with unfused arithmetic, and the polygon drawn as a fan. Bit for bit the depth of OSMesa (measured against it).
 
 use super::layout::*;
 use super::vertex::{ScreenVertex, clip_code, snap};
@@ -59,12 +59,12 @@ impl Clipper {
         }
     }
 
-    /// Appends `out + t * (in - out)` to the pool.
-    fn interpolate(&mut self, out: ClipVertex, inside: ClipVertex, t: f32, stride: usize, state: &RasterState) -> ClipVertex {
+    /// Appends `a + t * (b - a)` to the pool.
+    fn interpolate(&mut self, a: ClipVertex, b: ClipVertex, t: f32, stride: usize, state: &RasterState) -> ClipVertex {
         let at = self.pool.len();
         for k in 0..stride {
-            let (o, i) = (self.pool[out.at + k], self.pool[inside.at + k]);
-            self.pool.push(std::array::from_fn(|c| o[c] + t * (i[c] - o[c])));
+            let (a, b) = (self.pool[a.at + k], self.pool[b.at + k]);
+            self.pool.push(std::array::from_fn(|c| a[c] + t * (b[c] - a[c])));
         }
         ClipVertex { screen: to_screen_unfused(self.pool[at], state), at, edge: false }
     }
@@ -96,16 +96,13 @@ impl Clipper {
                     self.next.push(prev);
                 }
                 if (d_prev >= 0.0) != (d >= 0.0) {
-                    let new = if d < 0.0 {
-                        // Going out: the edge along the plane is a boundary for user planes, not for the frustum's.
-                        let mut new = self.interpolate(vertex, prev, d / (d - d_prev), stride, state);
-                        new.edge = plane >= 6;
-                        new
+                    let mut new = if d.abs() < d_prev.abs() || (d.abs() == d_prev.abs() && d >= 0.0) {
+                        self.interpolate(vertex, prev, d / (d - d_prev), stride, state)
                     } else {
-                        let mut new = self.interpolate(prev, vertex, d_prev / (d_prev - d), stride, state);
-                        new.edge = prev.edge;
-                        new
+                        self.interpolate(prev, vertex, d_prev / (d_prev - d), stride, state)
                     };
+                    // Going out: the edge along the plane is a boundary for user planes, not for the frustum's.
+                    new.edge = if d < 0.0 { plane >= 6 } else { prev.edge };
                     self.next.push(new);
                 }
                 prev = vertex;
