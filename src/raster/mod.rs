@@ -17,5 +17,7 @@ pub mod setup;
 pub mod simd;
 pub mod store;
 pub mod texture;
+#[cfg(target_arch = "x86_64")]
+mod texture_wide;
 pub mod tile;
 pub mod vertex;

@@ -2,6 +2,8 @@
 //!
 //! The level of detail is `log2(max(|d/dx|, |d/dy|))` in texels, the ideal function of equation 3.20.
 
+#[cfg(target_arch = "x86_64")]
+use super::texture_wide;
 use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
 use crate::program::lanes::{LANES, Simd, math};
 
@@ -15,12 +17,12 @@ const BORDER: i32 = -1;
 /// of the raster, absent where no level of detail is wanted.
 pub fn sample_group(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>, level: Simd) -> [Lanes; 4] {
     match level {
-        Simd::Scalar => sample(binding, coord, gradients),
+        Simd::Scalar => sample::<false>(binding, coord, gradients),
         // SAFETY: `Simd::Avx2` exists only where the processor has AVX2 and FMA.
         #[cfg(target_arch = "x86_64")]
         Simd::Avx2 => unsafe { sample_avx2(binding, coord, gradients) },
         #[cfg(not(target_arch = "x86_64"))]
-        Simd::Avx2 => sample(binding, coord, gradients),
+        Simd::Avx2 => sample::<false>(binding, coord, gradients),
     }
 }
 
@@ -29,7 +31,7 @@ pub fn sample_group(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Opt
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
 unsafe fn sample_avx2(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
-    sample(binding, coord, gradients)
+    sample::<true>(binding, coord, gradients)
 }
 
 /// How a lane is filtered: from which level, with which filter, and how far towards the next level.
@@ -42,7 +44,7 @@ struct Choice {
 }
 
 #[inline(always)]
-fn sample(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
+fn sample<const WIDE: bool>(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
     let (image, sampler) = (&*binding.image, &binding.sampler);
     let Some(base) = image.levels.first() else { return [[0.0; LANES], [0.0; LANES], [0.0; LANES], [1.0; LANES]] };
     let position = match image.kind {
@@ -50,13 +52,13 @@ fn sample(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lan
         _ => Position { s: coord[0], t: coord[1], r: coord[2], face: [0; LANES] },
     };
     let Some(gradients) = gradients else {
-        return sample_level(image, sampler, base, sampler.mag_linear, &position);
+        return sample_level::<WIDE>(image, sampler, base, sampler.mag_linear, &position);
     };
     let lambda = level_of_detail(image, sampler, base, coord, gradients, &position);
     let choices = lambda.map(|lambda| choose(image, sampler, lambda));
     let first = choices[0];
     if choices.iter().all(|c| (c.level, c.linear) == (first.level, first.linear)) {
-        return sample_choice(image, sampler, first, choices.map(|c| c.blend), &position);
+        return sample_choice::<WIDE>(image, sampler, first, choices.map(|c| c.blend), &position);
     }
     // Lanes that disagree (a quad each): every choice samples all lanes, and the lanes that made it take the result.
     let mut result = [[0.0; LANES]; 4];
@@ -66,7 +68,7 @@ fn sample(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lan
             continue;
         }
         let choice = choices[lane];
-        let texel = sample_choice(image, sampler, choice, choices.map(|c| c.blend), &position);
+        let texel = sample_choice::<WIDE>(image, sampler, choice, choices.map(|c| c.blend), &position);
         for other in lane..LANES {
             if (choices[other].level, choices[other].linear) == (choice.level, choice.linear) {
                 done[other] = true;
@@ -184,12 +186,18 @@ fn choose(image: &TextureImage, sampler: &Sampler, lambda: f32) -> Choice {
 
 /// Samples all lanes at one choice's level, and blends with the next level where a lane asks for it.
 #[inline(always)]
-fn sample_choice(image: &TextureImage, sampler: &Sampler, choice: Choice, blend: Lanes, position: &Position) -> [Lanes; 4] {
-    let mut near = sample_level(image, sampler, &image.levels[choice.level], choice.linear, position);
+fn sample_choice<const WIDE: bool>(
+    image: &TextureImage,
+    sampler: &Sampler,
+    choice: Choice,
+    blend: Lanes,
+    position: &Position,
+) -> [Lanes; 4] {
+    let mut near = sample_level::<WIDE>(image, sampler, &image.levels[choice.level], choice.linear, position);
     if let Some(next) = image.levels.get(choice.level + 1)
         && blend.iter().any(|b| *b != 0.0)
     {
-        let far = sample_level(image, sampler, next, choice.linear, position);
+        let far = sample_level::<WIDE>(image, sampler, next, choice.linear, position);
         for c in 0..4 {
             near[c] = lerp(&near[c], &far[c], &blend);
         }
@@ -204,9 +212,19 @@ fn lerp(a: &Lanes, b: &Lanes, t: &Lanes) -> Lanes {
 
 /// Samples one level with one filter.
 #[inline(always)]
-fn sample_level(image: &TextureImage, sampler: &Sampler, level: &TextureLevel, linear: bool, p: &Position) -> [Lanes; 4] {
+fn sample_level<const WIDE: bool>(image: &TextureImage, sampler: &Sampler, level: &TextureLevel, linear: bool, p: &Position) -> [Lanes; 4] {
     let (w, h, d) = (level.width as i32, level.height as i32, level.depth as i32);
     let flat = image.kind == TextureKind::D1;
+    #[cfg(target_arch = "x86_64")]
+    if WIDE && image.format == TexelFormat::Rgba8 && image.kind != TextureKind::D3 {
+        // A 1D image is a row: whatever t is, clamping it finds that row.
+        let wrap = [sampler.wrap[0], if flat { Wrap::ClampToEdge } else { sampler.wrap[1] }];
+        let layers = image.kind != TextureKind::Cube || level.depth >= 6;
+        if layers && texture_wide::serves(level, wrap, linear) {
+            // SAFETY: `WIDE` is true on processors with AVX2 only; a face is below 6, and 0 on other images.
+            return unsafe { texture_wide::sample(level, wrap, linear, &p.s, &p.t, &p.face) };
+        }
+    }
     let fetch = Fetch { level, format: image.format, border: &sampler.border };
     if !linear {
         let x = nearest(&p.s, w, sampler.wrap[0]);

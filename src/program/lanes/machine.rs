@@ -139,12 +139,17 @@ impl Machine {
                     run_avx2(&code.body, &bases, groups, &mut reach);
                 }
                 _ => {
-                    run_code(&code.prologue, &bases, 1, &mut reach);
-                    run_code(&code.body, &bases, groups, &mut reach);
+                    run_scalar(&code.prologue, &bases, 1, &mut reach);
+                    run_scalar(&code.body, &bases, groups, &mut reach);
                 }
             }
         }
     }
+}
+
+#[inline(never)]
+unsafe fn run_scalar(code: &[Inst], bases: &[*mut Group; 4], n: usize, reach: &mut Reach) {
+    unsafe { run_code(code, bases, n, reach) }
 }
 
 #[cfg(target_arch = "x86_64")]
