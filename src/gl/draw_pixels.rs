@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::Context;
 use super::enums::*;
-use super::framebuffer::{depth_max, pixel_index, write_color};
+use super::framebuffer::{depth_max, pixel_index, quantize_depth, write_color};
 use super::pixel_format::{ClientImage, Groups, check};
 use super::pixel_rectangle::Placed;
 use crate::device::DepthFormat;
@@ -133,7 +133,7 @@ impl Context {
         for (y, row) in (placed.rect.min[1]..).zip(depths.chunks_exact(placed.rect.width())) {
             let first = pixel_index(pixels, placed.rect.min[0], y);
             for (out, depth) in pixels.depth_stencil[first..].iter_mut().zip(row) {
-                *out = *out & 0xff00_0000 | (depth * max).round_ties_even() as u32;
+                *out = *out & 0xff00_0000 | quantize_depth(*depth, max);
             }
         }
     }

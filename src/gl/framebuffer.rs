@@ -124,6 +124,13 @@ pub(crate) fn depth_max(format: DepthFormat) -> f64 {
     ((1u64 << format.bits()) - 1).max(1) as f64
 }
 
+/// A depth in steps of the buffer. What a client gave in single precision (floats, bytes and shorts) is rounded as Mesa does it, in
+/// single precision; depths of 32-bit integers and of copies are exact.
+pub(crate) fn quantize_depth(depth: f64, max: f64) -> u32 {
+    let single = depth as f32;
+    if single as f64 == depth { (single * max as f32).round_ties_even() as u32 } else { (depth * max).round_ties_even() as u32 }
+}
+
 /// Stencil values of a rectangle inside the surface.
 pub(crate) fn read_stencil(pixels: &Pixels, rect: Rect) -> Vec<u32> {
     let mut out = Vec::with_capacity(rect.width() * rect.height());

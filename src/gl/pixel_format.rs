@@ -128,7 +128,7 @@ impl ClientImage {
             }
             GL_DEPTH_COMPONENT => {
                 let mut out = room(count)?;
-                source.rows(|row| read_normalized(row, ty, |v| out.push(v)));
+                source.rows(|row| read_depths(row, ty, &mut out));
                 Groups::Depth(out)
             }
             _ if packed(ty).is_some_and(|p| p.fields.iter().all(|f| f.1 <= 8)) && rgba8_reader(format, ty).is_none() => {
@@ -224,6 +224,17 @@ fn read_normalized(row: &[u8], ty: GLenum, mut out: impl FnMut(f64)) {
         GL_INT => row.chunks_exact(4).for_each(|b| out((four(b) as i32 as f64 / i32::MAX as f64).max(-1.0))),
         GL_FLOAT => row.chunks_exact(4).for_each(|b| out(f32::from_bits(four(b)) as f64)),
         _ => {}
+    }
+}
+
+/// Elements of a row as depths. Those of bytes and shorts are single-precision products, as in Mesa.
+fn read_depths(row: &[u8], ty: GLenum, out: &mut Vec<f64>) {
+    match ty {
+        GL_UNSIGNED_BYTE => out.extend(row.iter().map(|&b| f64::from(f32::from(b) * (1.0 / 255.0)))),
+        GL_UNSIGNED_SHORT => {
+            out.extend(row.chunks_exact(2).map(|b| f64::from(f32::from(u16::from_ne_bytes([b[0], b[1]])) * (1.0 / 65535.0))))
+        }
+        _ => read_normalized(row, ty, |v| out.push(v)),
     }
 }
 

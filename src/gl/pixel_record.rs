@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Context;
-use super::framebuffer::{Rect, depth_max};
+use super::framebuffer::{Rect, depth_max, quantize_depth};
 use super::pixel_format::Groups;
 use super::pixel_rectangle::Placed;
 use super::texture_object::unique_image_id;
@@ -113,9 +113,9 @@ impl Context {
     /// Records fragments of the raster colour, each with its depth.
     pub(crate) fn record_depths(&mut self, placed: &Placed, depths: &[f64]) {
         let color = self.state.current.raster.color;
-        // Rounded to the buffer's steps first, in double precision: single precision would miss some by one.
+        // In the buffer's steps, so that the fragment's depth comes to the same one.
         let max = depth_max(self.config.surface_format().depth);
-        self.record_rows(placed, depths, |depth| (color, ((depth * max).round_ties_even() / max) as f32));
+        self.record_rows(placed, depths, |depth| (color, (f64::from(quantize_depth(depth, max)) / max) as f32));
     }
 
     fn record_rows<T: Copy + PartialEq>(&mut self, placed: &Placed, values: &[T], fragment: impl Fn(T) -> ([f32; 4], f32)) {

@@ -58,7 +58,10 @@ impl PixelState {
 
     /// Transfers a depth value, clamped.
     pub(crate) fn transfer_depth(&self, depth: f64) -> f64 {
-        (depth * self.depth_scale as f64 + self.depth_bias as f64).clamp(0.0, 1.0)
+        if self.depth_scale == 1.0 && self.depth_bias == 0.0 {
+            return depth.clamp(0.0, 1.0);
+        }
+        f64::from(depth as f32 * self.depth_scale + self.depth_bias).clamp(0.0, 1.0)
     }
 
     /// Colours of colour indices: always through the I_TO_R ... I_TO_A maps, as RGBA is wanted.
