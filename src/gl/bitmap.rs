@@ -14,7 +14,9 @@ impl Context {
     /// None for NULL: the raster position moves nevertheless.
     #[allow(clippy::too_many_arguments)]
     pub fn bitmap(&mut self, width: i32, height: i32, x_origin: f32, y_origin: f32, x_move: f32, y_move: f32, pixels: Option<&[u8]>) {
+        let visible = self.lists.builder.is_some() || self.state.current.raster.valid && self.render_mode == GL_RENDER;
         let image = pixels
+            .filter(|_| visible)
             .and_then(|bytes| ClientImage::unpack(&self.state.unpack, bytes, [width, height, 1], false, GL_COLOR_INDEX, GL_BITMAP))
             .map(|image| Arc::new(rectangles(&image)));
         let kept = image.clone();

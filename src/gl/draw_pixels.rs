@@ -12,8 +12,12 @@ use crate::device::DepthFormat;
 impl Context {
     /// glDrawPixels. `pixels`: from the client's pointer on, as [`Context::unpack_bytes`] says.
     pub fn draw_pixels(&mut self, width: i32, height: i32, format: GLenum, ty: GLenum, pixels: Option<&[u8]>) {
-        let image =
-            pixels.and_then(|bytes| ClientImage::unpack(&self.state.unpack, bytes, [width, height, 1], false, format, ty)).map(Arc::new);
+        // Nothing is read from the client where nothing is drawn.
+        let visible = self.lists.builder.is_some() || self.state.current.raster.valid && self.render_mode == GL_RENDER;
+        let image = pixels
+            .filter(|_| visible)
+            .and_then(|bytes| ClientImage::unpack(&self.state.unpack, bytes, [width, height, 1], false, format, ty))
+            .map(Arc::new);
         let kept = image.clone();
         let run = move |cx: &mut Context, image| cx.draw_pixels_unpacked(width, height, format, ty, image);
         if self.compile(move |cx| run(cx, kept.clone())) || self.inside_begin_end() {

@@ -113,7 +113,7 @@ impl ClientImage {
             return None;
         }
         let size = size.map(|n| n as usize);
-        let count = size[0] * size[1] * size[2];
+        let count = size[0].checked_mul(size[1])?.checked_mul(size[2])?;
         let source = Source { bytes, layout, size, swap: if store.swap_bytes { element_bytes(ty)? } else { 1 } };
         let groups = match format {
             GL_COLOR_INDEX | GL_STENCIL_INDEX if ty == GL_BITMAP => {
@@ -132,7 +132,7 @@ impl ClientImage {
                 Groups::Depth(out)
             }
             _ if packed(ty).is_some_and(|p| p.fields.iter().all(|f| f.1 <= 8)) && rgba8_reader(format, ty).is_none() => {
-                let mut out = Vec::with_capacity(count);
+                let mut out = reserve(count)?;
                 let packed = packed(ty)?;
                 source.rows(|row| read_packed_rgba8(row, format, packed, &mut out));
                 Groups::Rgba8(out)
@@ -152,6 +152,13 @@ impl ClientImage {
         };
         Some(ClientImage { size, groups })
     }
+}
+
+/// An empty vector with room for so many, if the memory is there.
+fn reserve<T>(count: usize) -> Option<Vec<T>> {
+    let mut out = Vec::new();
+    out.try_reserve_exact(count).ok()?;
+    Some(out)
 }
 
 /// Bytes that GL_*_SWAP_BYTES reverses.

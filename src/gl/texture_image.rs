@@ -172,6 +172,24 @@ fn check_texture_format(format: GLenum, ty: GLenum) -> Result<(), GLenum> {
     if format == GL_DEPTH_COMPONENT { Err(GL_INVALID_OPERATION) } else { Ok(()) }
 }
 
+/// The checks of glTexImage but for the sizes that are not supported.
+#[allow(clippy::too_many_arguments)]
+fn check_image(
+    dimensions: usize,
+    target: GLenum,
+    level: i32,
+    internal_format: GLenum,
+    size: [i32; 3],
+    border: i32,
+    format: GLenum,
+    ty: GLenum,
+) -> Result<ImageSpec, GLenum> {
+    let target = ImageTarget::checked(target, level, dimensions, true)?;
+    let spec = ImageSpec::checked(target, level, internal_format, size, border)?;
+    check_texture_format(format, ty)?;
+    Ok(spec)
+}
+
 impl Context {
     /// glTexImage1D. `pixels`: from the client's pointer on, as [`Context::unpack_bytes`] says; None for NULL.
     #[allow(clippy::too_many_arguments)]
@@ -269,10 +287,7 @@ impl Context {
         ty: GLenum,
         image: Option<Arc<ClientImage>>,
     ) {
-        let spec = ImageTarget::checked(target, level, dimensions, true)
-            .and_then(|target| ImageSpec::checked(target, level, internal_format, size, border))
-            .and_then(|spec| check_texture_format(format, ty).map(|()| spec));
-        let spec = match spec {
+        let spec = match check_image(dimensions, target, level, internal_format, size, border, format, ty) {
             Ok(spec) => spec,
             Err(error) => return self.set_error(error, "glTexImage"),
         };
