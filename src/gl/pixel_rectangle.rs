@@ -19,7 +19,7 @@ pub(crate) struct Placed {
 fn run(origin: i64, zoom: f32, count: usize, window: [i32; 2]) -> (i32, Vec<usize>) {
     if zoom == 1.0 {
         let first = (window[0] as i64).max(origin);
-        let last = (window[1] as i64).min(origin + count as i64);
+        let last = (window[1] as i64).min(origin.saturating_add(count as i64));
         let groups = (first..last.max(first)).map(|x| (x - origin) as usize).collect();
         return (first.min(window[1] as i64) as i32, groups);
     }
