@@ -58,6 +58,9 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
     if needs_w {
         words.extend(3..6);
     }
+    if needs_z {
+        words.push(6);
+    }
     for &k in &varyings {
         let n = if interpolation_of(program, k) == interpolation::FLAT { 4 } else { 12 };
         words.extend(varying_word(k)..varying_word(k) + n);
@@ -90,7 +93,7 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
         }
     }
     if needs_z {
-        glue.depth.push_str("let z = tp_fma(y, p2, zx);\n");
+        glue.depth.push_str("let z = tp_fma(y, p2, zx) + p6;\n");
     }
     if on(feature::DEPTH_TEST) && !program.writes_depth {
         glue.depth.push_str("let depth = tp_quantise(state, z);\n");
