@@ -21,7 +21,7 @@ struct TpParams {
     list_blocks: u32,
     top_first: u32,
     draws: u32,
-    reserved0: u32,
+    work_base: u32,
     reserved1: u32,
     reserved2: u32,
     depth_max: u32,

@@ -16,12 +16,9 @@ var<private> tp_depths: array<u32, TP_ROWS>;
 
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let slot = group.y + group.z * 32768u;
-    if (slot >= tp_lists[1]) {
-        return;
-    }
-    let bin = tp_lists[tp.active_base + slot];
-    let tile = group.x;
+    let work = tp_lists[tp.work_base + group.x + group.y * 32768u];
+    let bin = work >> 6u;
+    let tile = work & 63u;
     let origin = vec2<u32>((bin % tp.bins.x) * 64u + (tile & 7u) * 8u, (bin / tp.bins.x) * 64u + (tile >> 3u) * 8u);
     let first_block = tp_lists[tp.bin_base + bin * 2u];
     let blocks = (tp_lists[tp.bin_base + bin * 2u + 1u] + 31u) / 32u;

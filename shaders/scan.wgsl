@@ -49,11 +49,14 @@ fn tp_main(@builtin(local_invocation_index) lane: u32) {
         tp_indirect[0] = min(blocks, 32768u);
         tp_indirect[1] = (blocks + 32767u) / 32768u;
         tp_indirect[2] = 1u;
-        tp_indirect[3] = 64u;
         tp_indirect[4] = min(drawn, 32768u);
         tp_indirect[5] = (drawn + 32767u) / 32768u;
-        tp_indirect[6] = blocks;
-        tp_indirect[7] = drawn;
+        tp_indirect[6] = 1u;
+        // The active stage counts the fine stage's workgroups here.
+        tp_indirect[8] = 0u;
+        tp_indirect[9] = 0u;
+        tp_indirect[10] = 1u;
+        tp_indirect[11] = 1u;
         tp_lists[0] = total.x;
         tp_lists[1] = drawn;
     }

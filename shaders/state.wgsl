@@ -5,6 +5,9 @@
         // What the kernel contains is on in every draw.
         state.flags = 0xffffffffu;
 //#endif
+//#if MIXED_INTERPOLATION
+        let modes = WORD(sa, 2) >> 16u;
+//#endif
         let functions = WORD(sa, 3);
 //#if DEPTH_FUNC_FIXED
         state.depth_func = TP_DEPTH_FUNC;

@@ -3,12 +3,12 @@
 
 // A slot's binding: words of its record, the same for all pixels of a triangle.
 struct TpTexture {
-    // First word of the levels' records in tp_records: offset in tp_texels, width, height, depth each.
+    // Where tp_records holds the levels' offsets in tp_texels; each level halves the size of the one before.
     levels: u32,
     last: u32,
     lod_range: vec2<f32>,
     lod_bias: f32,
-    // The base level's record.
+    // The base level.
     offset: u32,
     size: vec3<i32>,
     border: vec4<f32>,
@@ -191,6 +191,11 @@ fn tp_log2(x: f32) -> f32 {
 //#endif
 }
 
+fn tp_level_size(t: TpTexture, c: TpClass, level: u32) -> vec3<i32> {
+    let size = max(t.size >> vec3<u32>(level), vec3<i32>(1));
+    return vec3<i32>(size.xy, select(size.z, 6, c.kind == 4u));
+}
+
 fn tp_sample(t: TpTexture, c: TpClass, coord: vec4<f32>, ddx: vec4<f32>, ddy: vec4<f32>) -> vec4<f32> {
     var p = vec4<f32>(coord.xyz, 0.0);
     if (c.kind == 4u) {
@@ -229,14 +234,12 @@ fn tp_sample(t: TpTexture, c: TpClass, coord: vec4<f32>, ddx: vec4<f32>, ddy: ve
         whole = select(ceil(lambda + 0.5) - 1.0, 0.0, lambda <= 0.5);
     }
     let level = select(0u, min(u32(max(whole, 0.0)), t.last), minified);
-    let at = t.levels + level * 4u;
-    let size = vec3<i32>(i32(tp_records[at + 1u]), i32(tp_records[at + 2u]), i32(tp_records[at + 3u]));
-    var v = tp_level(t, c, tp_records[at], size, c.min_linear, p);
+    let size = tp_level_size(t, c, level);
+    var v = tp_level(t, c, tp_records[t.levels + level], size, c.min_linear, p);
     if (c.mip == 2u) {
-        let next = t.levels + min(level + 1u, t.last) * 4u;
-        let next_size = vec3<i32>(i32(tp_records[next + 1u]), i32(tp_records[next + 2u]), i32(tp_records[next + 3u]));
+        let next = min(level + 1u, t.last);
         let blend = select(0.0, lambda - whole, minified && level < t.last);
-        v = tp_lerp(v, tp_level(t, c, tp_records[next], next_size, c.min_linear, p), blend);
+        v = tp_lerp(v, tp_level(t, c, tp_records[t.levels + next], tp_level_size(t, c, next), c.min_linear, p), blend);
     }
     if (c.mag_linear != c.min_linear) {
         v = select(tp_level(t, c, t.offset, t.size, c.mag_linear, p), v, minified);

@@ -130,10 +130,19 @@ impl Segment {
     }
 
     /// Takes a draw in, if one kernel can serve it too.
-    fn admit(&mut self, needs: &DrawNeeds) -> bool {
+    fn admit(&mut self, needs: &DrawNeeds, batch: &Batch, draw: u32) -> bool {
         let shades = feature::SHADES;
-        if self.key.program != needs.program || self.key.textures != needs.textures || (self.key.features ^ needs.features) & shades != 0 {
+        let (ours, theirs) = (&batch.draws[self.draw as usize].fragment_program, &batch.draws[draw as usize].fragment_program);
+        let same = ours.id == theirs.id;
+        // Flat and smooth shading run the same text over the same inputs.
+        if !same && (ours.inputs != theirs.inputs || ours.varyings.len() != theirs.varyings.len() || ours.wgsl != theirs.wgsl) {
             return false;
+        }
+        if self.key.textures != needs.textures || (self.key.features ^ needs.features) & shades != 0 {
+            return false;
+        }
+        if !same {
+            self.key.features |= feature::MIXED_INTERPOLATION;
         }
         if needs.flags != self.flags {
             self.key.features |= feature::MIXED;
@@ -236,7 +245,7 @@ pub fn plan(batch: &Batch, front: &HostFront, heap: &mut Heap, size: [u32; 2], f
             if t.draw != current || full {
                 current = t.draw;
                 let needs = known.entry(current).or_insert_with(|| needs(batch, current as usize, format));
-                let admitted = !full && segment.as_mut().is_some_and(|s| s.admit(needs));
+                let admitted = !full && segment.as_mut().is_some_and(|s| s.admit(needs, batch, current));
                 if !admitted {
                     if let Some(s) = segment.take() {
                         finish(&mut plan, s, index, base, bins);
@@ -280,7 +289,8 @@ pub fn place_lists(params: &mut Params, mask_capacity: u32) -> u32 {
     params.count_base = LIST_HEAD + mask_capacity;
     params.bin_base = params.count_base + bins * params.supers;
     params.active_base = params.bin_base + bins * 2;
-    params.list_base = params.active_base + bins;
+    params.work_base = params.active_base + bins;
+    params.list_base = params.work_base + bins * 64;
     params.tile_base = params.list_base + params.list_blocks * 32;
     params.entry_base = params.tile_base + params.list_blocks * 64;
     params.entry_base + params.list_blocks * 32 * ENTRY_WORDS

@@ -35,7 +35,9 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
     let inputs: &[Input] = if shades { &program.inputs } else { &[] };
     let reads_position = inputs.contains(&Input::Position);
     let needs_z = on(feature::DEPTH_TEST) && !program.writes_depth || reads_position;
-    let perspective = |k: u8| on(feature::PERSPECTIVE) && interpolation_of(program, k) == interpolation::PERSPECTIVE;
+    let mixed = on(feature::MIXED_INTERPOLATION);
+    let flat = |k: u8| !mixed && interpolation_of(program, k) == interpolation::FLAT;
+    let perspective = |k: u8| on(feature::PERSPECTIVE) && (mixed || interpolation_of(program, k) == interpolation::PERSPECTIVE);
     let varyings: Vec<u8> = {
         let mut list: Vec<u8> = inputs
             .iter()
@@ -62,7 +64,7 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
         words.push(6);
     }
     for &k in &varyings {
-        let n = if interpolation_of(program, k) == interpolation::FLAT { 4 } else { 12 };
+        let n = if flat(k) { 4 } else { 12 };
         words.extend(varying_word(k)..varying_word(k) + n);
     }
     if shape.subgroup8 {
@@ -102,7 +104,6 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
         return glue;
     }
     let vec4 = |first: u32| format!("vec4<f32>(p{}, p{}, p{}, p{})", first, first + 1, first + 2, first + 3);
-    let flat = |k: u8| interpolation_of(program, k) == interpolation::FLAT;
     let quad = inputs.iter().any(|i| matches!(i, Input::Quad(..)));
     {
         let columns = if hoist { &mut glue.planes } else { &mut glue.shade };
@@ -142,7 +143,13 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
             return format!("{column}{k}");
         }
         let value = fma4(y, vec4(varying_word(k) + 8), format!("{column}{k}"));
-        if perspective(k) { format!("{value} * {reciprocal}") } else { value }
+        if perspective(k) && mixed {
+            format!("{value} * select(1.0, {reciprocal}, (modes & {}u) != 0u)", 1 << k)
+        } else if perspective(k) {
+            format!("{value} * {reciprocal}")
+        } else {
+            value
+        }
     };
     let mut arguments: Vec<String> = Vec::new();
     for (i, input) in inputs.iter().enumerate() {

@@ -21,6 +21,7 @@ pub enum Stage {
     Scan,
     Emit,
     Tile,
+    Active,
     /// Words of a colour pixel.
     Clear(u32),
 }
@@ -47,6 +48,8 @@ pub mod feature {
     pub const COLOR_WRITE: u32 = 1 << 11;
     /// Draws differ in what is on: their flags are looked at.
     pub const MIXED: u32 = 1 << 12;
+    /// Draws differ in the interpolation of varyings, but run the same program: each draw's record says which are perspective.
+    pub const MIXED_INTERPOLATION: u32 = 1 << 13;
 }
 
 /// Blending of a segment.
@@ -140,7 +143,14 @@ impl Kernels {
         let mut stages = self.stages.lock().unwrap_or_else(|e| e.into_inner());
         stages
             .entry(stage)
-            .or_insert_with(|| Arc::new(self.build(gpu, &format!("{stage:?}"), &self.stage_source(gpu.shape, stage), stage == Stage::Scan)))
+            .or_insert_with(|| {
+                Arc::new(self.build(
+                    gpu,
+                    &format!("{stage:?}"),
+                    &self.stage_source(gpu.shape, stage),
+                    matches!(stage, Stage::Scan | Stage::Active),
+                ))
+            })
             .clone()
     }
 
@@ -160,6 +170,7 @@ impl Kernels {
             }
             Stage::Emit => files::EMIT,
             Stage::Tile => files::TILE,
+            Stage::Active => files::ACTIVE,
             Stage::Clear(words) => {
                 let _ = writeln!(extra, "const TP_COLOR_WORDS = {words}u;");
                 files::CLEAR
@@ -199,6 +210,7 @@ impl Kernels {
             ("SHADES", feature::SHADES),
             ("COLOR_WRITE", feature::COLOR_WRITE),
             ("STATE_FLAGS", feature::MIXED),
+            ("MIXED_INTERPOLATION", feature::MIXED_INTERPOLATION),
         ] {
             options.flag(name, on(bit));
         }

@@ -38,8 +38,10 @@ pub struct Params {
     pub top_first: u32,
     /// Draw records.
     pub draws: u32,
+    /// The tiles that have any triangle: bin * 64 + tile.
+    pub work_base: u32,
     /// Reserved, zero.
-    pub reserved: [u32; 3],
+    pub reserved: [u32; 2],
     /// Largest depth value.
     pub depth_max: u32,
     /// Depth and stencil to clear to.

@@ -17,7 +17,9 @@ pub fn pack_draw(batch: &Batch, index: usize, flags: u32, stipples: u32, texture
     let mut words = [0; DRAW_WORDS];
     words[0] = record.fragment_uniforms;
     words[1] = textures + record.first_texture * BINDING_WORDS as u32;
-    words[2] = flags;
+    let perspective = record.varyings.iter().take(record.varying_count as usize).enumerate();
+    let perspective = perspective.fold(0, |m, (k, v)| m | ((v >> 16 & 3 == interpolation::PERSPECTIVE) as u32) << k);
+    words[2] = flags | perspective << 16;
     words[3] = state.depth_func | state.alpha_func << 8 | state.logic_op << 16 | (state.color_mask & 15) << 24;
     words[4] = raster.depth_range[0].to_bits();
     words[5] = raster.depth_range[1].to_bits();

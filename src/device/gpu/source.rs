@@ -36,6 +36,7 @@ pub mod files {
     pub const SCAN: &str = include_str!("../../../shaders/scan.wgsl");
     pub const EMIT: &str = include_str!("../../../shaders/emit.wgsl");
     pub const TILE: &str = include_str!("../../../shaders/tile.wgsl");
+    pub const ACTIVE: &str = include_str!("../../../shaders/active.wgsl");
     pub const CLEAR: &str = include_str!("../../../shaders/clear.wgsl");
     pub const COLOR: &str = include_str!("../../../shaders/color.wgsl");
     pub const BLEND: &str = include_str!("../../../shaders/blend.wgsl");

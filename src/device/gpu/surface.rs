@@ -262,8 +262,12 @@ impl GpuSurface {
                         pass.set_pipeline(&self.kernels.stage(self.gpu, Stage::Tile));
                         pass.dispatch_workgroups_indirect(&self.buffers.indirect, 0);
                         mark(&mut pass, "tile");
+                        pass.set_pipeline(&self.kernels.stage(self.gpu, Stage::Active));
+                        let bins = p.bins[0] * p.bins[1];
+                        pass.dispatch_workgroups(bins.min(32768), bins.div_ceil(32768), 1);
+                        mark(&mut pass, "active");
                         pass.set_pipeline(&self.kernels.fine(self.gpu, key, program));
-                        pass.dispatch_workgroups_indirect(&self.buffers.indirect, 12);
+                        pass.dispatch_workgroups_indirect(&self.buffers.indirect, 36);
                         mark(&mut pass, "fine");
                     }
                 }

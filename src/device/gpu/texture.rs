@@ -110,8 +110,6 @@ tp_texture{slot}.size = vec3<i32>(i32(WORD(tx{slot}, 6) & 0xffffu), i32(WORD(tx{
 
 /// Words of a texture binding's record.
 pub const BINDING_WORDS: usize = 16;
-/// Words of a level's record.
-pub const LEVEL_WORDS: usize = 4;
 
 /// The texels of all images, cached by the images' ids.
 pub struct Heap {
@@ -182,7 +180,7 @@ impl Heap {
             let levels = words.len() as u32;
             let mut offset = self.offsets.get(&b.image.id).copied().unwrap_or(0);
             for level in &b.image.levels {
-                words.extend([offset, level.width, level.height, level.depth]);
+                words.push(offset);
                 offset += level.texels.len() as u32;
             }
             let s = &b.sampler;
