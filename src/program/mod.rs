@@ -40,6 +40,8 @@ pub enum Output {
     PointSize,
     /// Eye coordinates.
     Eye,
+    /// No output of a program: made by set-up, see `layout::interpolation::COVERAGE`.
+    Coverage,
     /// A varying of a GLSL program.
     Generic(u8),
 }

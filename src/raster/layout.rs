@@ -105,6 +105,10 @@ pub mod interpolation {
     pub const PERSPECTIVE: u32 = 1;
     /// Linear on the screen.
     pub const LINEAR: u32 = 2;
+    /// Made by set-up, linear on the screen: how much of a pixel an antialiased point or line covers. Of a line: distance across
+    /// from its middle, half its width plus one half, distance along, half its length plus one half. Of a point: distance in x,
+    /// radius plus one half, distance in y. (0, 1, 0, 1), full coverage, of everything else.
+    pub const COVERAGE: u32 = 3;
 }
 
 /// State of the stages from clipping to set-up.

@@ -3,7 +3,7 @@
 //! direction, its ends moved so that the first and last pixel obey the diamond-exit rule (3.4.1).
 
 use super::layout::*;
-use super::setup::{Chunk, Context, Corner, bounds};
+use super::setup::{Chunk, Context, Corner, FULL_COVERAGE, bounds};
 use super::vertex::{COORDINATE_RANGE, snap};
 
 fn in_range(v: f32) -> f32 {
@@ -116,6 +116,16 @@ impl Chunk {
         });
         // Between the pixel centres, so that no tie arises.
         let [(x0, x1), (y0, y1)] = first.map(|f| ((f << SUBPIXEL_BITS) - 128, ((f + width) << SUBPIXEL_BITS) - 128));
+        let smooth = state.flags & raster_flags::POINT_SMOOTH != 0;
+        let radius = 0.5 * size.clamp(1.0, 255.0);
+        let centre = [in_range(a.screen.position[0]), in_range(a.screen.position[1])];
+        let (x, y) = if smooth {
+            // Every pixel that the circle may touch.
+            let [(x0, x1), (y0, y1)] = centre.map(|c| (snap(c - radius - 0.5), snap(c + radius + 0.5)));
+            ([x0, x1, x1, x0], [y0, y0, y1, y1])
+        } else {
+            ([x0, x1, x1, x0], [y0, y0, y1, y1])
+        };
         let planes = self.planes.len() as u32;
         self.planes.push([a.screen.position[2], 0.0, 0.0, a.screen.inv_w]);
         self.planes.push([0.0; 4]);
@@ -124,12 +134,17 @@ impl Chunk {
             let value = match varying >> 16 & 3 {
                 interpolation::FLAT => context.provoking[at],
                 interpolation::PERSPECTIVE => a.shaded[at].map(|v| v * a.screen.inv_w),
+                interpolation::COVERAGE => {
+                    let planes = [[0.5 - centre[0], radius + 0.5, 0.5 - centre[1], 1.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+                    self.planes.extend(if smooth { planes } else { FULL_COVERAGE });
+                    continue;
+                }
                 _ => a.shaded[at],
             };
             self.planes.extend([value, [0.0; 4], [0.0; 4]]);
         }
         let flags = front as u32 * triangle_flags::FRONT | (a.screen.inv_w != 1.0) as u32 * triangle_flags::PERSPECTIVE;
-        self.rectangle(context, [x0, x1, x1, x0], [y0, y0, y1, y1], flags, planes);
+        self.rectangle(context, x, y, flags, planes);
     }
 
     /// A line, cut into its "on" segments where it is stippled.
@@ -191,12 +206,15 @@ impl Chunk {
             return;
         }
         let half = (state.line_width.clamp(1.0, 255.0) + 0.5) as i32 * 256 / 2;
+        let smooth = (state.flags & raster_flags::LINE_SMOOTH != 0).then(|| SmoothLine::new(p, q, state.line_width));
         let planes = self.planes.len() as u32;
-        // Along the line only: the gradient is parallel to it.
-        let ooa = 1.0 / area;
+        // Along the major axis only, stretched so that it reaches the other end.
+        let x_major = dx.abs() >= dy.abs();
+        let (major, slope) = if x_major { (dx, dy / dx) } else { (dy, dx / dy) };
+        let (stretched, ooa) = (major * (1.0 + slope * slope), 1.0 / area);
         let plane = |a0: f32, a1: f32| {
-            let d = a0 - a1;
-            let (ddx, ddy) = (d * dx * ooa, d * dy * ooa);
+            let along = (a0 - a1) * stretched * ooa;
+            let (ddx, ddy) = if x_major { (along, 0.0) } else { (0.0, along) };
             [a0 - (ddx * (p[0] - 0.5) + ddy * (p[1] - 0.5)), ddx, ddy]
         };
         let (z, w) = (plane(p[2], q[2]), plane(a.screen.inv_w, b.screen.inv_w));
@@ -209,6 +227,10 @@ impl Chunk {
                 self.planes.extend([context.provoking[at], [0.0; 4], [0.0; 4]]);
                 continue;
             }
+            if mode == interpolation::COVERAGE {
+                self.planes.extend(smooth.as_ref().map_or(FULL_COVERAGE, |s| s.coverage));
+                continue;
+            }
             let scale = |c: &Corner| if mode == interpolation::PERSPECTIVE { c.screen.inv_w } else { 1.0 };
             let (va, vb) = (a.shaded[at].map(|v| v * scale(a)), b.shaded[at].map(|v| v * scale(b)));
             let columns: [[f32; 3]; 4] = std::array::from_fn(|c| plane(va[c], vb[c]));
@@ -216,7 +238,9 @@ impl Chunk {
         }
         let perspective = a.screen.inv_w != 1.0 || b.screen.inv_w != 1.0;
         let flags = front as u32 * triangle_flags::FRONT | perspective as u32 * triangle_flags::PERSPECTIVE;
-        if dx.abs() >= dy.abs() {
+        if let Some(SmoothLine { x, y, .. }) = smooth {
+            self.rectangle(context, x, y, flags, planes);
+        } else if x_major {
             let e = ends([p[0], p[1]], [q[0], q[1]], [dx, dy], false);
             let [x0, x1] = [p[0] + e.start[0], q[0] + e.end[0]].map(snap);
             let [y0, y1] = [p[1] + e.start[1], q[1] + e.end[1]].map(snap);
@@ -226,6 +250,32 @@ impl Chunk {
             let [x0, x1] = [p[0] + e.start[1], q[0] + e.end[1]].map(snap);
             let [y0, y1] = [p[1] + e.start[0], q[1] + e.end[0]].map(snap);
             self.rectangle(context, [x0 - half, x0 + half, x1 + half, x1 - half], [y0, y0, y1, y1], flags, planes);
+        }
+    }
+}
+
+/// An antialiased line: the rectangle of all pixels that it may touch, and the planes of its coverage (3.4.2).
+struct SmoothLine {
+    x: [i32; 4],
+    y: [i32; 4],
+    coverage: [[f32; 4]; 3],
+}
+
+impl SmoothLine {
+    fn new(p: [f32; 3], q: [f32; 3], width: f32) -> SmoothLine {
+        let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
+        let length = (dx * dx + dy * dy).sqrt();
+        // The unit vector along the line; across it is turned by a quarter.
+        let (ux, uy) = (dx / length, dy / length);
+        let (middle_x, middle_y) = (0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]));
+        let (across, along) = (0.5 * width.clamp(1.0, 255.0) + 0.5, 0.5 * length + 0.5);
+        let corner = |a: f32, l: f32| [snap(middle_x + l * ux - a * uy), snap(middle_y + l * uy + a * ux)];
+        let corners = [corner(-across, -along), corner(-across, along), corner(across, along), corner(across, -along)];
+        let at = |gx: f32, gy: f32| (0.5 - middle_x) * gx + (0.5 - middle_y) * gy;
+        SmoothLine {
+            x: corners.map(|c| c[0]),
+            y: corners.map(|c| c[1]),
+            coverage: [[at(-uy, ux), across, at(ux, uy), along], [-uy, 0.0, ux, 0.0], [ux, 0.0, uy, 0.0]],
         }
     }
 }

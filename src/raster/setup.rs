@@ -8,6 +8,9 @@ use super::layout::*;
 use super::vertex::ScreenVertex;
 use crate::draw::Batch;
 
+/// Planes of `interpolation::COVERAGE` where a pixel is covered or not.
+pub const FULL_COVERAGE: [[f32; 4]; 3] = [[0.0, 1.0, 0.0, 1.0], [0.0; 4], [0.0; 4]];
+
 /// Everything that a batch's set-up reads, besides the primitives.
 #[derive(Clone, Copy)]
 pub struct SetupInput<'a> {
@@ -222,6 +225,7 @@ impl Chunk {
             match varying >> 16 & 3 {
                 interpolation::FLAT => self.planes.extend([context.provoking[at], [0.0; 4], [0.0; 4]]),
                 interpolation::PERSPECTIVE => self.planes.extend(basis.plane4(v.map(|c| c.shaded[at].map(|a| a * c.screen.inv_w)))),
+                interpolation::COVERAGE => self.planes.extend(FULL_COVERAGE),
                 _ => self.planes.extend(basis.plane4(v.map(|c| c.shaded[at]))),
             }
         }

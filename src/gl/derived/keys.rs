@@ -10,7 +10,7 @@ use crate::raster::layout::topology;
 
 impl Context {
     /// The fragment program's key; the bindings of its texture slots go to `textures`.
-    pub(super) fn fragment_key(&self, textures: &mut Vec<TextureBinding>) -> FragmentKey {
+    pub(super) fn fragment_key(&self, topology: u32, textures: &mut Vec<TextureBinding>) -> FragmentKey {
         let s = &self.state;
         let mut units = [UnitKey::default(); 8];
         textures.clear();
@@ -38,7 +38,21 @@ impl Context {
                 (true, GL_EXP) => Fog::Exp,
                 (true, _) => Fog::Exp2,
             },
+            smooth: self.smooth(topology),
             units,
+        }
+    }
+
+    /// Which antialiasing a draw needs. A draw of polygons may become points or lines.
+    fn smooth(&self, topology: u32) -> Smooth {
+        let s = &self.state;
+        let becomes = |kind: u32, mode: GLenum| topology == kind || (topology == topology::TRIANGLES && s.polygon.mode.contains(&mode));
+        if s.line.smooth && becomes(topology::LINES, GL_LINE) {
+            Smooth::Line
+        } else if s.point.smooth && becomes(topology::POINTS, GL_POINT) {
+            Smooth::Point
+        } else {
+            Smooth::None
         }
     }
 

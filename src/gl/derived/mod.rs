@@ -41,8 +41,8 @@ impl Context {
         let changed = self.dirty | if d.topology != topology || d.everything != everything { dirty::ALL } else { 0 };
         (d.topology, d.everything) = (topology, everything);
 
-        if changed & (dirty::TEXTURE | dirty::FOG | dirty::LIGHTING) != 0 || d.fragment.is_none() {
-            let key = self.fragment_key(&mut d.textures);
+        if changed & (dirty::TEXTURE | dirty::FOG | dirty::LIGHTING | dirty::RASTER) != 0 || d.fragment.is_none() {
+            let key = self.fragment_key(topology, &mut d.textures);
             if key != d.fragment_key || d.fragment.is_none() {
                 d.fragment_key = key;
                 d.fragment = Some(fixed::fragment_program(&key));

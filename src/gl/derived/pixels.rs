@@ -14,7 +14,8 @@ impl Context {
     /// next ordinary draw sets its own again.
     pub(crate) fn set_rectangle_state(&mut self, image: Option<TextureBinding>) {
         let mut textures = Vec::new();
-        let mut key = self.fragment_key(&mut textures);
+        let mut key = self.fragment_key(topology::TRIANGLES, &mut textures);
+        key.smooth = fixed::Smooth::None;
         if let Some(image) = image {
             key.source = Source::Image;
             textures.push(image);

@@ -20,6 +20,16 @@ pub enum Fog {
     Exp2,
 }
 
+/// Antialiasing: what the coverage varying means (3.3.1, 3.4.2).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Smooth {
+    #[default]
+    None,
+    Point,
+    Line,
+}
+
 /// Where a fragment's colour starts from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Source {
@@ -58,6 +68,8 @@ pub struct FragmentKey {
     pub color_sum: bool,
     /// Fog.
     pub fog: Fog,
+    /// Antialiased points or lines.
+    pub smooth: Smooth,
     /// Texture units. The enabled ones take texture slots in their order.
     pub units: [UnitKey; 8],
 }
@@ -87,7 +99,11 @@ impl Build {
             other => other,
         };
         let flat = self.key.flat && matches!(output, Output::FrontColor | Output::FrontSecondary);
-        let interpolation = if flat { interpolation::FLAT } else { interpolation::PERSPECTIVE };
+        let interpolation = match output {
+            Output::Coverage => interpolation::COVERAGE,
+            _ if flat => interpolation::FLAT,
+            _ => interpolation::PERSPECTIVE,
+        };
         self.varyings.push(Varying { front: output, back, interpolation });
         self.varyings.len() as u8 - 1
     }
@@ -126,6 +142,7 @@ pub(super) fn generate(key: &FragmentKey) -> FixedProgram {
         b.t.line(format!("color = vec4<f32>(saturate(color.rgb + {secondary}.rgb), color.a);"));
     }
     fog(&mut b);
+    smooth(&mut b);
     b.t.line("out.color = color;");
     finish(b)
 }
@@ -171,10 +188,23 @@ fn fog(b: &mut Build) {
     b.t.line(format!("color = vec4<f32>(mix({color}.rgb, color.rgb, vec3<f32>(fog)), color.a);"));
 }
 
+/// Antialiasing: alpha times the part of the pixel that is covered. A line covers a pixel as a box filter sees it.
+fn smooth(b: &mut Build) {
+    if b.key.smooth == Smooth::None {
+        return;
+    }
+    let c = b.varying(Output::Coverage);
+    match b.key.smooth {
+        Smooth::Point => b.t.line(format!("let coverage = saturate({c}.y - sqrt({c}.x * {c}.x + {c}.z * {c}.z));")),
+        _ => b.t.line(format!("let coverage = saturate({c}.y - abs({c}.x)) * saturate({c}.w - abs({c}.z));")),
+    }
+    b.t.line("color.a = color.a * coverage;");
+}
+
 fn finish(b: Build) -> FixedProgram {
     let inputs = (0..b.inputs.len()).map(|k| format!("i{k}: vec4<f32>"));
     let textures = b.key.units.iter().filter(|u| u.enabled).count() as u32;
-    let plain = b.key.source == Source::Color && textures == 0 && !b.key.color_sum && b.key.fog == Fog::None;
+    let plain = b.key.source == Source::Color && textures == 0 && !b.key.color_sum && b.key.fog == Fog::None && b.key.smooth == Smooth::None;
     let shortcut = if plain { Shortcut::Varying(0) } else { Shortcut::None };
     let wgsl = format!(
         "{}{}fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut {{\n    var out: FragmentOut;\n{}    return out;\n}}\n",

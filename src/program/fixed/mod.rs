@@ -21,7 +21,7 @@ mod vertex;
 mod window;
 
 pub use environment::{Argument, Base, Combine, CombineSource, Function, Mode};
-pub use fragment::{Fog, FragmentKey, Source, UnitKey};
+pub use fragment::{Fog, FragmentKey, Smooth, Source, UnitKey};
 pub use lighting::{LightingKey, light, tracks};
 pub use slots::Slot;
 pub use texgen::{Generate, TexCoordKey};
