@@ -220,7 +220,14 @@ fn tp_sample(t: TpTexture, c: TpClass, coord: vec4<f32>, ddx: vec4<f32>, ddy: ve
         dy = vec3<f32>((tp_on_face(i32(p.w), coord.xyz + ddy.xyz) - p.xy) * n.xy, 0.0);
     }
     let rho2 = max(dx.x * dx.x + dx.y * dx.y + dx.z * dx.z, dy.x * dy.x + dy.y * dy.y + dy.z * dy.z);
-    let lambda = min(max(0.5 * tp_log2(rho2) + t.lod_bias, t.lod_range.x), t.lod_range.y);
+    // Where levels are blended, the driver's log2 is good enough.
+    var log2_rho2 = 0.0;
+    if (c.mip == 2u && c.mag_linear == c.min_linear) {
+        log2_rho2 = select(log2(rho2), -1e30, rho2 <= 0.0);
+    } else {
+        log2_rho2 = tp_log2(rho2);
+    }
+    let lambda = min(max(0.5 * log2_rho2 + t.lod_bias, t.lod_range.x), t.lod_range.y);
     var switch_over = 0.0;
     if (c.mag_linear && !c.min_linear && c.mip != 0u) {
         switch_over = 0.5;

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::adapter::Shape;
 use super::kernels::{FineKey, feature};
+use super::texture::TextureClass;
 use crate::program::{Input, Program};
 use crate::raster::layout::{DEPTH_PLANE_VEC4, VARYING_PLANE_VEC4, interpolation};
 
@@ -84,7 +85,12 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
 
     // What depends on the column only is worked out once a triangle where a lane has a whole column.
     let hoist = shape.fine_lanes < 64;
-    let fma4 = |a: &str, b: String, c: String| format!("tp_fma4({a}, {b}, {c})");
+    // Values are exact. Derivatives need it only where they choose between levels: a blend of levels forgives a rounding.
+    let exact_quads = key.textures.iter().any(TextureClass::chooses);
+    let quad_fma = if exact_quads { "tp_fma" } else { "fma" };
+    let fma4 = |quad: bool, a: &str, b: String, c: String| {
+        if quad && !exact_quads { format!("fma(vec4<f32>({a}), {b}, {c})") } else { format!("tp_fma4({a}, {b}, {c})") }
+    };
     {
         let columns = if hoist { &mut glue.planes } else { &mut glue.depth };
         if needs_z {
@@ -110,7 +116,7 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
         if quad {
             columns.push_str("let qx = f32(i32(px & ~1u));\nlet qx1 = qx + 1.0;\n");
             if needs_w {
-                columns.push_str("let qwx = tp_fma(qx, p4, p3);\nlet qwx1 = tp_fma(qx1, p4, p3);\n");
+                let _ = writeln!(columns, "let qwx = {quad_fma}(qx, p4, p3);\nlet qwx1 = {quad_fma}(qx1, p4, p3);");
             }
         }
         for input in inputs {
@@ -122,7 +128,7 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
                 _ => continue,
             };
             let first = varying_word(k);
-            let value = if flat(k) { vec4(first) } else { fma4(x, vec4(first + 4), vec4(first)) };
+            let value = if flat(k) { vec4(first) } else { fma4(name != "v", x, vec4(first + 4), vec4(first)) };
             let _ = writeln!(columns, "let {name}{k} = {value};");
         }
     }
@@ -133,8 +139,9 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
     if quad {
         shade.push_str("let qy = f32(py & ~1);\nlet qy1 = qy + 1.0;\n");
         if needs_w {
-            shade.push_str(
-                "let qr0 = 1.0 / tp_fma(qy, p5, qwx);\nlet qr1 = 1.0 / tp_fma(qy, p5, qwx1);\nlet qr2 = 1.0 / tp_fma(qy1, p5, qwx);\n",
+            let _ = writeln!(
+                shade,
+                "let qr0 = 1.0 / {quad_fma}(qy, p5, qwx);\nlet qr1 = 1.0 / {quad_fma}(qy, p5, qwx1);\nlet qr2 = 1.0 / {quad_fma}(qy1, p5, qwx);"
             );
         }
     }
@@ -142,7 +149,7 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
         if flat(k) {
             return format!("{column}{k}");
         }
-        let value = fma4(y, vec4(varying_word(k) + 8), format!("{column}{k}"));
+        let value = fma4(column != "v", y, vec4(varying_word(k) + 8), format!("{column}{k}"));
         if perspective(k) && mixed {
             format!("{value} * select(1.0, {reciprocal}, (modes & {}u) != 0u)", 1 << k)
         } else if perspective(k) {

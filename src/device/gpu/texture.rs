@@ -38,6 +38,11 @@ impl TextureClass {
         mip_linear: None,
     };
 
+    /// Whether the level of detail decides between filters or levels, instead of blending them.
+    pub fn chooses(&self) -> bool {
+        self.mip_linear == Some(false) || self.mag_linear != self.min_linear
+    }
+
     /// Of a binding.
     pub fn new(binding: &TextureBinding) -> TextureClass {
         let s = &binding.sampler;
