@@ -58,5 +58,7 @@ impl Default for FragmentResults {
 
 /// Compiles a program's module for the [`Machine`].
 pub fn compile(program: &Program) -> Result<LaneProgram, Unsupported> {
-    Ok(schedule::schedule(&compile::compile(program)?))
+    let mut compiled = compile::compile(program)?;
+    schedule::combine(&mut compiled);
+    Ok(schedule::schedule(&compiled))
 }

@@ -155,6 +155,8 @@ macro_rules! op_table {
             }
             ternary {
                 Fma(x, y, z) = x.mul_add(y, z),
+                // Rounded twice: one instruction for a product and a sum, not a fused one.
+                MulAdd(x, y, z) = x * y + z,
                 Select(c, x, y) = if is_true(c) { x } else { y },
             }
             special { Const, Uniform, Base, Input, Gather, Sample, Texel, CellRead, LoopEnd, Keep }

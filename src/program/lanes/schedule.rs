@@ -108,6 +108,39 @@ pub(super) fn schedule(compiled: &Compiled) -> LaneProgram {
     s.program
 }
 
+/// Joins a sum with a product that only it uses: half the instructions of a matrix times a vector.
+pub(super) fn combine(compiled: &mut Compiled) {
+    let live = live_nodes(compiled);
+    let mut uses = vec![0u32; live.len()];
+    for id in (0..live.len()).filter(|id| live[*id]) {
+        each_source(compiled, id as Id, |source| uses[source as usize] += 1);
+    }
+    let roots: Vec<Id> = compiled.outputs.iter().chain(&compiled.depth).chain(&compiled.keep).copied().collect();
+    roots.into_iter().for_each(|id| uses[id as usize] += 1);
+    for step in &compiled.graph.steps {
+        match step {
+            Step::CellWrite(_, id) | Step::LoopEnd(id) => uses[*id as usize] += 1,
+            _ => {}
+        }
+    }
+    let graph = &mut compiled.graph;
+    for id in (0..live.len()).filter(|id| live[*id] && graph.rates[*id] == Rate::Lane) {
+        let node = graph.nodes[id];
+        if node.op != Op::Add {
+            continue;
+        }
+        // A sum is the same either way round.
+        for (product, other) in [(node.args[1], node.args[0]), (node.args[0], node.args[1])] {
+            let p = graph.nodes[product as usize];
+            if p.op == Op::Mul && uses[product as usize] == 1 && graph.rates[product as usize] == Rate::Lane {
+                graph.nodes[id].op = Op::MulAdd;
+                graph.nodes[id].args = [p.args[0], p.args[1], other];
+                break;
+            }
+        }
+    }
+}
+
 /// Nodes that results, loops or live samples need.
 fn live_nodes(compiled: &Compiled) -> Vec<bool> {
     let graph = &compiled.graph;
