@@ -52,8 +52,9 @@ impl Context {
             return None;
         }
         let mut host = self.host_shader.take().unwrap_or_default();
-        let dirty = std::mem::replace(&mut self.dirty, super::dirty::ALL);
-        let derived_topology = self.derived_topology;
+        let dirty = self.dirty;
+        // What the host's recorder was told last may be out of date.
+        let derived_topology = std::mem::replace(&mut self.derived_topology, !0);
         std::mem::swap(&mut self.recorder, &mut host.recorder);
         self.shading_on_host = true;
         self.validate(topology);

@@ -38,7 +38,8 @@ impl Context {
     pub(super) fn derive_state(&mut self, topology: u32) {
         let mut d = std::mem::take(&mut self.derived);
         let everything = self.render_mode != GL_RENDER || self.shading_on_host;
-        let changed = self.dirty | if d.topology != topology || d.everything != everything { dirty::ALL } else { 0 };
+        // Only the vertex key depends on these two.
+        let changed = self.dirty | if d.topology != topology || d.everything != everything { dirty::RASTER } else { 0 };
         (d.topology, d.everything) = (topology, everything);
 
         if changed & (dirty::TEXTURE | dirty::FOG | dirty::LIGHTING | dirty::RASTER) != 0 || d.fragment.is_none() {
