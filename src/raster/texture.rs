@@ -136,25 +136,32 @@ fn level_of_detail(
     position: &Position,
 ) -> Lanes {
     let size = [base.width as f32, base.height as f32, base.depth as f32];
+    let mut rho2 = [0.0f32; LANES];
+    for gradient in gradients {
+        // One loop a kind, so that each becomes vector instructions.
+        let square: Lanes = match image.kind {
+            TextureKind::D1 => std::array::from_fn(|i| (gradient[0][i] * size[0]) * (gradient[0][i] * size[0])),
+            TextureKind::D2 => std::array::from_fn(|i| {
+                let d = [gradient[0][i] * size[0], gradient[1][i] * size[1]];
+                d[0] * d[0] + d[1] * d[1]
+            }),
+            TextureKind::D3 => std::array::from_fn(|i| {
+                let d = [gradient[0][i] * size[0], gradient[1][i] * size[1], gradient[2][i] * size[2]];
+                d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
+            }),
+            TextureKind::Cube => std::array::from_fn(|i| {
+                let next = [0, 1, 2].map(|c| coord[c][i] + gradient[c][i]);
+                let [s, t] = on_face(position.face[i] as usize, next);
+                let d = [(s - position.s[i]) * size[0], (t - position.t[i]) * size[1]];
+                d[0] * d[0] + d[1] * d[1]
+            }),
+        };
+        rho2 = std::array::from_fn(|i| math::max(rho2[i], square[i]));
+    }
     let mut lambda = [0.0; LANES];
-    for lane in 0..LANES {
-        let mut rho2 = 0.0f32;
-        for gradient in gradients {
-            let mut d = [gradient[0][lane] * size[0], gradient[1][lane] * size[1], gradient[2][lane] * size[2]];
-            match image.kind {
-                TextureKind::D1 => (d[1], d[2]) = (0.0, 0.0),
-                TextureKind::D2 => d[2] = 0.0,
-                TextureKind::D3 => {}
-                TextureKind::Cube => {
-                    let next = [0, 1, 2].map(|c| coord[c][lane] + gradient[c][lane]);
-                    let [s, t] = on_face(position.face[lane] as usize, next);
-                    d = [(s - position.s[lane]) * size[0], (t - position.t[lane]) * size[1], 0.0];
-                }
-            }
-            rho2 = math::max(rho2, d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-        }
-        let biased = 0.5 * math::log2(rho2) + sampler.lod_bias;
-        lambda[lane] = math::min(math::max(biased, sampler.lod_range[0]), sampler.lod_range[1]);
+    for i in 0..LANES {
+        let biased = 0.5 * math::log2(rho2[i]) + sampler.lod_bias;
+        lambda[i] = math::min(math::max(biased, sampler.lod_range[0]), sampler.lod_range[1]);
     }
     lambda
 }

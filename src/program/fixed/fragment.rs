@@ -204,7 +204,8 @@ fn smooth(b: &mut Build) {
 fn finish(b: Build) -> FixedProgram {
     let inputs = (0..b.inputs.len()).map(|k| format!("i{k}: vec4<f32>"));
     let textures = b.key.units.iter().filter(|u| u.enabled).count() as u32;
-    let plain = b.key.source == Source::Color && textures == 0 && !b.key.color_sum && b.key.fog == Fog::None && b.key.smooth == Smooth::None;
+    let plain =
+        b.key.source == Source::Color && textures == 0 && !b.key.color_sum && b.key.fog == Fog::None && b.key.smooth == Smooth::None;
     let shortcut = if plain { Shortcut::Varying(0) } else { Shortcut::None };
     let wgsl = format!(
         "{}{}fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut {{\n    var out: FragmentOut;\n{}    return out;\n}}\n",
