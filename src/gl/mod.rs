@@ -20,6 +20,7 @@ pub mod blending;
 pub(crate) mod checks;
 pub mod clear;
 pub mod clip_plane;
+pub mod compressed_texture;
 pub mod copy_pixels;
 pub mod copy_texture;
 mod derived;

@@ -109,9 +109,9 @@ impl Chunk {
         let size = if record.point_size == NONE { state.point_size } else { a.shaded[record.point_size as usize][0] };
         // Halves round down.
         let width = if size > 1.0 { (size.min(255.0) - 0.5).ceil() as i32 } else { 1 };
-        let adjust = [0, context.top_first as i32];
+        let adjust = [0.0, if context.top_first { 1.0 } else { 0.0 }];
         let first = [0, 1].map(|k| {
-            let at = (in_range(a.screen.position[k]) * 256.0).round_ties_even() as i32 - adjust[k];
+            let at = (in_range(a.screen.position[k]) * 256.0 - adjust[k]).round_ties_even() as i32;
             if width & 1 != 0 { (at >> SUBPIXEL_BITS) - (width - 1) / 2 } else { ((at + 128) >> SUBPIXEL_BITS) - width / 2 }
         });
         // Between the pixel centres, so that no tie arises.

@@ -7,6 +7,7 @@
 #![allow(clippy::missing_safety_doc, clippy::too_many_arguments)]
 
 pub mod arrays;
+pub mod compressed;
 pub mod evaluators;
 pub mod extensions;
 pub mod flush;

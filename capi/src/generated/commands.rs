@@ -406,51 +406,51 @@ pub unsafe extern "C" fn glCompileShaderARB(shaderObj: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCompressedTexImage1D(target: u32, level: i32, internalformat: u32, width: i32, border: i32, imageSize: i32, data: *const c_void) {
-    enter("glCompressedTexImage1D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCompressedTexImage1D", &SAID) })
+    enter("glCompressedTexImage1D", |cx| unsafe { commands::compressed::glCompressedTexImage1D(cx, target, level, internalformat, width, border, imageSize, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCompressedTexImage1DARB(target: u32, level: i32, internalformat: u32, width: i32, border: i32, imageSize: i32, data: *const c_void) {
-    enter("glCompressedTexImage1DARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCompressedTexImage1DARB", &SAID) })
+    enter("glCompressedTexImage1DARB", |cx| unsafe { commands::compressed::glCompressedTexImage1D(cx, target, level, internalformat, width, border, imageSize, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCompressedTexImage2D(target: u32, level: i32, internalformat: u32, width: i32, height: i32, border: i32, imageSize: i32, data: *const c_void) {
-    enter("glCompressedTexImage2D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCompressedTexImage2D", &SAID) })
+    enter("glCompressedTexImage2D", |cx| unsafe { commands::compressed::glCompressedTexImage2D(cx, target, level, internalformat, width, height, border, imageSize, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCompressedTexImage2DARB(target: u32, level: i32, internalformat: u32, width: i32, height: i32, border: i32, imageSize: i32, data: *const c_void) {
-    enter("glCompressedTexImage2DARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCompressedTexImage2DARB", &SAID) })
+    enter("glCompressedTexImage2DARB", |cx| unsafe { commands::compressed::glCompressedTexImage2D(cx, target, level, internalformat, width, height, border, imageSize, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCompressedTexImage3D(target: u32, level: i32, internalformat: u32, width: i32, height: i32, depth: i32, border: i32, imageSize: i32, data: *const c_void) {
-    enter("glCompressedTexImage3D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCompressedTexImage3D", &SAID) })
+    enter("glCompressedTexImage3D", |cx| unsafe { commands::compressed::glCompressedTexImage3D(cx, target, level, internalformat, width, height, depth, border, imageSize, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCompressedTexImage3DARB(target: u32, level: i32, internalformat: u32, width: i32, height: i32, depth: i32, border: i32, imageSize: i32, data: *const c_void) {
-    enter("glCompressedTexImage3DARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCompressedTexImage3DARB", &SAID) })
+    enter("glCompressedTexImage3DARB", |cx| unsafe { commands::compressed::glCompressedTexImage3D(cx, target, level, internalformat, width, height, depth, border, imageSize, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCompressedTexSubImage1D(target: u32, level: i32, xoffset: i32, width: i32, format: u32, imageSize: i32, data: *const c_void) {
-    enter("glCompressedTexSubImage1D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCompressedTexSubImage1D", &SAID) })
+    enter("glCompressedTexSubImage1D", |cx| unsafe { commands::compressed::glCompressedTexSubImage1D(cx, target, level, xoffset, width, format, imageSize, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCompressedTexSubImage1DARB(target: u32, level: i32, xoffset: i32, width: i32, format: u32, imageSize: i32, data: *const c_void) {
-    enter("glCompressedTexSubImage1DARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCompressedTexSubImage1DARB", &SAID) })
+    enter("glCompressedTexSubImage1DARB", |cx| unsafe { commands::compressed::glCompressedTexSubImage1D(cx, target, level, xoffset, width, format, imageSize, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCompressedTexSubImage2D(target: u32, level: i32, xoffset: i32, yoffset: i32, width: i32, height: i32, format: u32, imageSize: i32, data: *const c_void) {
-    enter("glCompressedTexSubImage2D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCompressedTexSubImage2D", &SAID) })
+    enter("glCompressedTexSubImage2D", |cx| unsafe { commands::compressed::glCompressedTexSubImage2D(cx, target, level, xoffset, yoffset, width, height, format, imageSize, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCompressedTexSubImage2DARB(target: u32, level: i32, xoffset: i32, yoffset: i32, width: i32, height: i32, format: u32, imageSize: i32, data: *const c_void) {
-    enter("glCompressedTexSubImage2DARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCompressedTexSubImage2DARB", &SAID) })
+    enter("glCompressedTexSubImage2DARB", |cx| unsafe { commands::compressed::glCompressedTexSubImage2D(cx, target, level, xoffset, yoffset, width, height, format, imageSize, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCompressedTexSubImage3D(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, width: i32, height: i32, depth: i32, format: u32, imageSize: i32, data: *const c_void) {
-    enter("glCompressedTexSubImage3D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCompressedTexSubImage3D", &SAID) })
+    enter("glCompressedTexSubImage3D", |cx| unsafe { commands::compressed::glCompressedTexSubImage3D(cx, target, level, xoffset, yoffset, zoffset, width, height, depth, format, imageSize, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCompressedTexSubImage3DARB(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, width: i32, height: i32, depth: i32, format: u32, imageSize: i32, data: *const c_void) {
-    enter("glCompressedTexSubImage3DARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCompressedTexSubImage3DARB", &SAID) })
+    enter("glCompressedTexSubImage3DARB", |cx| unsafe { commands::compressed::glCompressedTexSubImage3D(cx, target, level, xoffset, yoffset, zoffset, width, height, depth, format, imageSize, data) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glConvolutionFilter1D(target: u32, internalformat: u32, width: i32, format: u32, type_: u32, image: *const c_void) {
@@ -1030,11 +1030,11 @@ pub unsafe extern "C" fn glGetColorTableParameteriv(target: u32, pname: u32, par
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetCompressedTexImage(target: u32, level: i32, img: *mut c_void) {
-    enter("glGetCompressedTexImage", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetCompressedTexImage", &SAID) })
+    enter("glGetCompressedTexImage", |cx| unsafe { commands::compressed::glGetCompressedTexImage(cx, target, level, img) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetCompressedTexImageARB(target: u32, level: i32, img: *mut c_void) {
-    enter("glGetCompressedTexImageARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetCompressedTexImageARB", &SAID) })
+    enter("glGetCompressedTexImageARB", |cx| unsafe { commands::compressed::glGetCompressedTexImage(cx, target, level, img) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetConvolutionFilter(target: u32, format: u32, type_: u32, image: *mut c_void) {
