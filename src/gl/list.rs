@@ -277,7 +277,7 @@ impl Context {
         builder.loosen();
         builder.nodes.shrink_to_fit();
         let list = Arc::new(List { nodes: builder.nodes });
-        let old = self.shared().lists.insert(builder.name, Some(list));
+        let old = self.shared().lists.define(builder.name, list);
         // Textures and other things that the old list owns are dropped outside the lock.
         drop(old);
     }
@@ -290,7 +290,7 @@ impl Context {
         if self.lists.depth >= MAX_LIST_NESTING {
             return;
         }
-        let Some(list) = self.shared().lists.get(&list).cloned().flatten() else { return };
+        let Some(list) = self.shared().lists.get(list) else { return };
         self.lists.depth += 1;
         for node in &list.nodes {
             match node {
@@ -375,29 +375,7 @@ impl Context {
         if range == 0 {
             return 0;
         }
-        let mut shared = self.shared();
-        let highest = shared.lists.keys().copied().max().unwrap_or(0);
-        let first = if highest.checked_add(range).is_some() {
-            highest + 1
-        } else {
-            // Only after names near the end of the range were used: look for a gap.
-            let mut used: Vec<u32> = shared.lists.keys().copied().collect();
-            used.sort_unstable();
-            let mut first = 1;
-            for name in used {
-                if name - first >= range {
-                    break;
-                }
-                first = name.saturating_add(1);
-            }
-            if u32::MAX - first < range - 1 {
-                return 0;
-            }
-            first
-        };
-        // A name that was generated is a list, an empty one; a great range stays a promise.
-        shared.lists.extend((first..first + range.min(1 << 20)).map(|name| (name, None)));
-        first
+        self.shared().lists.generate(range)
     }
 
     /// glDeleteLists.
@@ -408,19 +386,14 @@ impl Context {
         let Ok(range) = u32::try_from(range) else {
             return self.set_error(GL_INVALID_VALUE, "glDeleteLists: range");
         };
-        let mut shared = self.shared();
-        let names = list..list.saturating_add(range);
-        let dropped: Vec<_> = if range as usize > shared.lists.len() {
-            shared.lists.extract_if(|name, _| names.contains(name)).collect()
-        } else {
-            names.filter_map(|name| shared.lists.remove_entry(&name)).collect()
-        };
-        drop(shared);
-        drop(dropped);
+        if range > 0 {
+            let removed = self.shared().lists.remove(list..=list.saturating_add(range - 1));
+            drop(removed);
+        }
     }
 
     /// glIsList.
     pub fn is_list(&mut self, list: u32) -> bool {
-        !self.inside_begin_end() && self.shared().lists.contains_key(&list)
+        !self.inside_begin_end() && self.shared().lists.contains(list)
     }
 }

@@ -39,6 +39,7 @@ pub(crate) mod framebuffer;
 pub(crate) mod host_vertices;
 pub mod lighting;
 pub mod list;
+pub mod list_names;
 pub mod matrix;
 pub mod mipmap;
 pub mod pixel_format;
@@ -178,8 +179,8 @@ pub mod dirty {
 /// Objects that contexts of one share group see.
 #[derive(Default)]
 pub struct Shared {
-    /// Display lists by name; `None` for a name that GenLists reserved.
-    pub lists: std::collections::HashMap<u32, Option<Arc<list::List>>>,
+    /// Display lists.
+    pub lists: list_names::Lists,
     /// Textures.
     pub textures: texture_object::TextureTable,
 }
