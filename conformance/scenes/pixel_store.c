@@ -9,19 +9,20 @@ SCENE(pixel_store, OTHER, 256, 256, 0, "pixel store: alignment, row length, skip
     for (int a = 1, i = 0; a <= 8; a *= 2, i++) {
         glPixelStorei(GL_UNPACK_ALIGNMENT, a);
         glRasterPos2i(5 + i * 62, 5);
-        glDrawPixels(53, 50, GL_RGB, GL_UNSIGNED_BYTE, image);
+        /* Another pointer each time: the reference takes the same pointer for the same image, whatever the pixel store says. */
+        glDrawPixels(53, 50, GL_RGB, GL_UNSIGNED_BYTE, image + 8 * i);
         glPixelStorei(GL_UNPACK_ROW_LENGTH, 57);
         glPixelStorei(GL_UNPACK_SKIP_ROWS, 2);
         glPixelStorei(GL_UNPACK_SKIP_PIXELS, i);
         glRasterPos2i(5 + i * 62, 65);
-        glDrawPixels(51, 50, GL_LUMINANCE, GL_UNSIGNED_BYTE, image);
+        glDrawPixels(51, 50, GL_LUMINANCE, GL_UNSIGNED_BYTE, image + 8 * i);
         glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
         glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
         glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
         /* Not together with skips: there the reference reads beyond the image. */
         glPixelStorei(GL_UNPACK_SWAP_BYTES, i & 1);
         glRasterPos2i(5 + i * 62, 130);
-        glDrawPixels(20, 50, GL_RGB, GL_UNSIGNED_SHORT, image);
+        glDrawPixels(20, 50, GL_RGB, GL_UNSIGNED_SHORT, image + 8 * i);
         glPixelStorei(GL_UNPACK_SWAP_BYTES, 0);
         memset(packed, 0xEE, sizeof packed);
         glPixelStorei(GL_PACK_ALIGNMENT, a);

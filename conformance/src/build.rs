@@ -30,19 +30,26 @@ pub fn library_dir() -> PathBuf {
     work_dir().join("lib")
 }
 
-/// Builds the shared library and links it as `libOSMesa.so.8`.
+/// Builds the shared library and links it as `libOSMesa.so.8`; `TEPUI_LIBRARY` names a library that is built already.
 pub fn build_library() -> Result<(), Error> {
+    if let Some(library) = std::env::var_os("TEPUI_LIBRARY") {
+        return link_library(&std::fs::canonicalize(library)?);
+    }
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     let status = Command::new(cargo).current_dir(root()).args(["build", "--release", "--quiet", "-p", "tepui-capi"]).status()?;
     if !status.success() {
         return Err("building the library failed".into());
     }
+    link_library(&root().join("target/release/libOSMesa.so"))
+}
+
+fn link_library(library: &Path) -> Result<(), Error> {
     let dir = library_dir();
     std::fs::create_dir_all(&dir)?;
     for name in ["libOSMesa.so.8", "libOSMesa.so"] {
         let link = dir.join(name);
         let _ = std::fs::remove_file(&link);
-        std::os::unix::fs::symlink(root().join("target/release/libOSMesa.so"), &link)?;
+        std::os::unix::fs::symlink(library, &link)?;
     }
     Ok(())
 }
