@@ -4,11 +4,12 @@
 //! walking the runs in order. The result does not depend on the number of threads.
 
 use std::cell::RefCell;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
 
-use super::{Device, Pixels, Surface, SurfaceFormat};
+use super::{Device, Pixels, Surface, SurfaceFormat, cpu_stats};
 use crate::draw::{Batch, Step};
 use crate::raster::fine::{Plan, Scene, Work, Worker, run_bin};
 use crate::raster::layout::raster_flags;
@@ -275,10 +276,20 @@ fn draw(batch: &Batch, store: &mut Store, scratch: &mut Scratch, screen_base: &[
     let plans: Vec<Plan> = (0..batch.draws.len()).map(|k| Plan::new(batch, k, format)).collect();
     let scene = Scene { batch, plans: &plans, work: &work, format, height: store.size[1] };
     let bins = store.split();
+    let tiles = [AtomicU64::new(0), AtomicU64::new(0)];
+    let fine = |(k, mut bin)| {
+        FINE.with_borrow_mut(|worker| {
+            worker.tiles = [0; 2];
+            run_bin(level, worker, &scene, k, &mut bin);
+            (0..2).for_each(|k| _ = tiles[k].fetch_add(worker.tiles[k], Ordering::Relaxed));
+        });
+    };
     match pool {
-        Some(pool) if bins.len() > 1 => pool.install(|| {
-            bins.into_par_iter().enumerate().for_each(|(k, mut bin)| FINE.with_borrow_mut(|w| run_bin(level, w, &scene, k, &mut bin)));
-        }),
-        _ => FINE.with_borrow_mut(|w| bins.into_iter().enumerate().for_each(|(k, mut bin)| run_bin(level, w, &scene, k, &mut bin))),
+        Some(pool) if bins.len() > 1 => pool.install(|| bins.into_par_iter().enumerate().for_each(fine)),
+        _ => bins.into_iter().enumerate().for_each(fine),
+    }
+    if cpu_stats::wanted() {
+        let threads = pool.map_or(1, |p| p.current_num_threads());
+        cpu_stats::print(batch, &plans, &work, tiles.map(AtomicU64::into_inner), threads);
     }
 }

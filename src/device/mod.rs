@@ -1,6 +1,7 @@
 //! Where batches run: the embedded CPU executor or wgpu compute.
 
 pub mod cpu;
+mod cpu_stats;
 pub mod gpu;
 
 use crate::draw::Batch;

@@ -101,6 +101,21 @@ impl<'a> Plan<'a> {
     }
 }
 
+impl Plan<'_> {
+    /// What serves the draw, in words.
+    pub fn routine(&self) -> &'static str {
+        match self.fast {
+            fast::DEPTH => "the depth-tested routine (colour passes through, no program)",
+            fast::BLEND => "the blending routine (colour passes through, no program, no tests)",
+            fast::DEPTH_BLEND => "the depth-tested blending routine (colour passes through, no program)",
+            fast::COPY => "the replacing routine (colour passes through, no program, no tests)",
+            _ if self.direct.is_some() => "the general routine without a program",
+            _ if self.early => "the general routine with early tests and a program",
+            _ => "the general routine with a program before the tests",
+        }
+    }
+}
+
 /// A row of eight pixels that waits for its colour.
 #[derive(Clone, Copy, Default)]
 struct Row {
@@ -342,10 +357,23 @@ fn varying<S: Simd>(plan: &Plan, planes: &[[f32; 4]], t: &Triangle, k: usize, x:
     value
 }
 
+crate::dispatch! {
+    /// [`flush_kernel`] at a level: one copy of it for all its callers.
+    fn flush_at = flush_kernel<'a, 'b>(worker: &mut Worker, scene: &Scene<'a>, draw: u32, bin: &mut BinPixels<'b>)
+}
+
+/// Runs and writes what is queued.
+#[inline(always)]
+fn flush<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mut BinPixels) {
+    if worker.queued != 0 {
+        flush_at(S::LEVEL, worker, scene, draw, bin);
+    }
+}
+
 /// Runs the queued fragments' program and writes them, in order. Inlined, as all that is generic over `S`: only inside a function
 /// of the dispatched level do the intrinsics become instructions, and closures for `map` are not inside.
 #[inline(always)]
-fn flush<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mut BinPixels) {
+fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mut BinPixels) {
     let count = std::mem::take(&mut worker.queued);
     if count == 0 {
         return;

@@ -21,3 +21,6 @@ pub mod texture;
 mod texture_wide;
 pub mod tile;
 pub mod vertex;
+
+#[cfg(test)]
+mod tests;

@@ -237,7 +237,9 @@ fn clipped_corner<'a>(clipper: &'a Clipper, v: ClipVertex, stride: usize) -> Cor
 }
 
 fn offset_corner(mut corner: Corner, offset: f32) -> Corner {
-    corner.screen.position[2] += offset;
+    // Mesa's draw module offsets and clamps the vertices of what it draws by outlines or corners.
+    let z = corner.screen.position[2] + offset;
+    corner.screen.position[2] = if offset == 0.0 { z } else { z.clamp(0.0, 1.0) };
     corner
 }
 

@@ -10,6 +10,7 @@ use std::sync::OnceLock;
 pub trait Simd: Copy + 'static {
     type F: Copy;
     type I: Copy;
+    const LEVEL: Level;
     fn f(v: f32) -> Self::F;
     fn i(v: i32) -> Self::I;
     fn load(v: &[f32; 8]) -> Self::F;
@@ -29,6 +30,7 @@ pub trait Simd: Copy + 'static {
     fn to_f(a: Self::I) -> Self::F;
     fn lt(a: Self::F, b: Self::F) -> Self::I;
     fn bits(a: Self::F) -> Self::I;
+    fn from_bits(a: Self::I) -> Self::F;
     fn iadd(a: Self::I, b: Self::I) -> Self::I;
     fn isub(a: Self::I, b: Self::I) -> Self::I;
     fn and(a: Self::I, b: Self::I) -> Self::I;
@@ -87,6 +89,7 @@ fn halves(a: i32, b: i32, f: impl Fn(u16, u16) -> u16) -> i32 {
 impl Simd for Portable {
     type F = [f32; 8];
     type I = [i32; 8];
+    const LEVEL: Level = Level::Scalar;
     #[inline(always)]
     fn f(v: f32) -> Self::F {
         [v; 8]
@@ -157,6 +160,10 @@ impl Simd for Portable {
     #[inline(always)]
     fn bits(a: Self::F) -> Self::I {
         map(a, |x| x.to_bits() as i32)
+    }
+    #[inline(always)]
+    fn from_bits(a: Self::I) -> Self::F {
+        map(a, |x| f32::from_bits(x as u32))
     }
     #[inline(always)]
     fn iadd(a: Self::I, b: Self::I) -> Self::I {
@@ -261,6 +268,7 @@ macro_rules! op {
 impl Simd for Avx2 {
     type F = std::arch::x86_64::__m256;
     type I = std::arch::x86_64::__m256i;
+    const LEVEL: Level = Level::Avx2;
     op!(f(v: f32) -> Self::F, std::arch::x86_64::_mm256_set1_ps(v));
     op!(i(v: i32) -> Self::I, std::arch::x86_64::_mm256_set1_epi32(v));
     op!(load(v: &[f32; 8]) -> Self::F, std::arch::x86_64::_mm256_loadu_ps(v.as_ptr()));
@@ -282,6 +290,7 @@ impl Simd for Avx2 {
         std::arch::x86_64::_mm256_castps_si256(std::arch::x86_64::_mm256_cmp_ps::<{ std::arch::x86_64::_CMP_LT_OQ }>(a, b))
     });
     op!(bits(a: Self::F) -> Self::I, std::arch::x86_64::_mm256_castps_si256(a));
+    op!(from_bits(a: Self::I) -> Self::F, std::arch::x86_64::_mm256_castsi256_ps(a));
     op!(iadd(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_add_epi32(a, b));
     op!(isub(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_sub_epi32(a, b));
     op!(and(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_and_si256(a, b));

@@ -1,0 +1,213 @@
+//! What the pipeline promises: exact coverage, shared edges once, order, the same bits on any number of threads and any
+//! SIMD level, with or without a shortcut, and no harm from any coordinate.
+
+use std::sync::Arc;
+
+use bytemuck::Zeroable;
+
+use super::layout::*;
+use super::simd::{Level, Portable};
+use super::tile::{Edges, LocalEdges};
+use crate::device::cpu::{CpuDevice, CpuSurface};
+use crate::device::{ColorFormat, DepthFormat, Surface, SurfaceFormat};
+use crate::draw::{Batch, Clear, Draw, Step};
+use crate::program::{Input, Interface, Output, Program, Shortcut, Stage, Varying};
+
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u32 {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (self.0 >> 32) as u32
+    }
+    fn below(&mut self, n: i32) -> i32 {
+        (self.bits() % n as u32) as i32
+    }
+    fn unit(&mut self) -> f32 {
+        (self.bits() >> 8) as f32 / 16777216.0
+    }
+    fn signed(&mut self) -> f32 {
+        self.unit() * 2.0 - 1.0
+    }
+}
+
+/// A triangle with a positive area, or nothing.
+fn triangle(mut x: [i32; 3], mut y: [i32; 3], flags: u32) -> Option<Triangle> {
+    let area = (x[0] - x[1]) as i64 * (y[2] - y[0]) as i64 - (x[2] - x[0]) as i64 * (y[0] - y[1]) as i64;
+    if area < 0 {
+        x.swap(0, 1);
+        y.swap(0, 1);
+    }
+    (area != 0).then(|| Triangle { x, y, flags, ..Triangle::default() })
+}
+
+/// Whether a triangle covers the centre of pixel (px, py), by the rule itself.
+fn covers(t: &Triangle, px: i32, py: i32) -> bool {
+    let bottom_up = t.flags & triangle_flags::BOTTOM_UP != 0;
+    (0..3).all(|i| {
+        let j = (i + 1) % 3;
+        let (xi, yi, xj, yj) = (t.x[i] as i128, t.y[i] as i128, t.x[j] as i128, t.y[j] as i128);
+        let (x, y) = (px as i128 * 256, py as i128 * 256);
+        let e = (yi - yj) * (xi - x) - (xi - xj) * (yi - y);
+        // On an edge: left ones are inside, and of the horizontal ones those at the bottom as GL sees them.
+        let inclusive = yi < yj || yi == yj && (if bottom_up { xi > xj } else { xi < xj });
+        e > 0 || e == 0 && inclusive
+    })
+}
+
+#[test]
+fn coverage_is_what_exact_arithmetic_says() {
+    let mut random = Random(1);
+    for round in 0..4000 {
+        // From slivers within a tile to the whole coordinate range; every other one on pixel centres, where ties are.
+        let size = [600, 5000, 300_000, 8_000_000][round % 4];
+        let mut place = || (random.below(size) - size / 4) & if round % 8 < 4 { !0 } else { !0x7f };
+        let (x, y) = ([place(), place(), place()], [place(), place(), place()]);
+        let flags = if random.bits() & 1 != 0 { triangle_flags::BOTTOM_UP } else { 0 };
+        let Some(t) = triangle(x, y, flags) else { continue };
+        for _ in 0..4 {
+            let pixels = size / 256 + 1;
+            let (bx, by) = ((random.below(pixels) - pixels / 4).max(0) & !63, (random.below(pixels) - pixels / 4).max(0) & !63);
+            let local = LocalEdges::new(&t, bx, by);
+            assert_eq!(local.a, Edges::new(&t).local(bx, by).a);
+            let (tx, ty) = (random.below(8) * 8, random.below(8) * 8);
+            let mask = local.coverage::<Portable>(tx, ty, 0, 7);
+            for k in 0..64 {
+                let expected = covers(&t, bx + tx + k % 8, by + ty + k / 8);
+                assert_eq!(mask >> k & 1 != 0, expected, "{t:?} pixel {k} of the tile at {}, {}", bx + tx, by + ty);
+            }
+        }
+    }
+}
+
+#[test]
+fn edges_that_triangles_share_are_covered_once() {
+    let mut random = Random(2);
+    for round in 0..300 {
+        // A fan around a point inside a rectangle of 40 x 40 pixels.
+        let snap = if round % 2 == 0 { !0 } else { !0x7f };
+        let (cx, cy) = ((random.below(39 * 256) + 128) & snap, (random.below(39 * 256) + 128) & snap);
+        let side = 40 * 256;
+        let mut rim: Vec<(i32, i32)> = vec![(0, 0), (side, 0), (side, side), (0, side)];
+        for k in (0..4).rev() {
+            let at = random.below(side) & snap;
+            rim.insert(k + 1, [(at, 0), (side, at), (side - at, side), (0, side - at)][k]);
+        }
+        let mut count = [0u8; 64 * 64];
+        for k in 0..rim.len() {
+            let (a, b) = (rim[k], rim[(k + 1) % rim.len()]);
+            let Some(t) = triangle([cx, a.0, b.0], [cy, a.1, b.1], 0) else { continue };
+            let local = LocalEdges::new(&t, 0, 0);
+            for tile in 0..64 {
+                let mask = local.coverage::<Portable>(tile % 8 * 8, tile / 8 * 8, 0, 7);
+                (0..64).for_each(|k| count[((tile / 8 * 8 + k / 8) * 64 + tile % 8 * 8 + k % 8) as usize] += (mask >> k & 1) as u8);
+            }
+        }
+        for y in 0..64 {
+            for x in 0..64 {
+                // Left and (rows run down) greater y inclusive.
+                let inside = (0..40).contains(&x) && (1..41).contains(&y);
+                assert_eq!(count[y * 64 + x], inside as u8, "pixel {x}, {y} of fan {round}");
+            }
+        }
+    }
+}
+
+fn program(shortcut: Shortcut) -> Arc<Program> {
+    let text = "struct FragmentIn { i0: vec4<f32> } struct FragmentOut { color: vec4<f32> } \
+                fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut { return FragmentOut(in.i0); }";
+    let varying = Varying { front: Output::FrontColor, back: Output::FrontColor, interpolation: interpolation::PERSPECTIVE };
+    let interface = Interface { inputs: vec![Input::Varying(0)], varyings: vec![varying], shortcut, ..Default::default() };
+    Arc::new(Program::new(Stage::Fragment, text.into(), interface).expect("a program"))
+}
+
+/// Draws shaded vertices (clip position, colour) as one draw; returns colour and depth.
+fn draw(vertices: &[[[f32; 4]; 2]], topology: u32, flags: u32, threads: usize, level: Level, shortcut: Shortcut) -> (Vec<u32>, Vec<u32>) {
+    let (width, height) = (200, 150);
+    let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true };
+    let mut surface = CpuSurface::new(&CpuDevice::with(threads, level), width, height, format);
+    let mut raster = RasterState::zeroed();
+    raster.polygon_mode = [topology::TRIANGLES; 2];
+    raster.viewport_scale = [100.0, -75.0, 0.5];
+    raster.viewport_translate = [100.0, 75.0, 0.5];
+    raster.scissor_max = [width as i32, height as i32];
+    (raster.line_width, raster.point_size) = (3.0, 4.0);
+    raster.depth_range = [0.0, 1.0];
+    raster.polygon_stipple = NONE;
+    let mut state = FragmentState::zeroed();
+    (state.flags, state.depth_func, state.color_mask) = (flags, compare::LEQUAL, 15);
+    let (s, d) = (blend_factor::SRC_ALPHA, blend_factor::ONE_MINUS_SRC_ALPHA);
+    state.blend_factors = [s, d, s, d];
+    let mut record = DrawRecord::zeroed();
+    (record.vertex_count, record.topology, record.shaded_stride) = (vertices.len() as u32, topology, 2);
+    (record.clip_distances, record.point_size, record.varying_count) = (NONE, NONE, 1);
+    record.varyings[0] = 1 | 1 << 8 | interpolation::PERSPECTIVE << 16;
+    let program = program(shortcut);
+    let each = topology + 1;
+    let primitive = |k: u32| Primitive { v: std::array::from_fn(|i| k * each + (i as u32).min(topology)), draw_and_flags: 0 };
+    let count = vertices.len() as u32 / each;
+    let clear = Clear { min: [0; 2], max: [width as i32, height as i32], color: [0.0; 4], color_mask: 15, depth: Some(1.0), stencil: None };
+    let batch = Batch {
+        draws: vec![Draw { record, vertex_program: program.clone(), fragment_program: program }],
+        raster_states: vec![raster],
+        fragment_states: vec![state],
+        primitives: (0..count).map(primitive).collect(),
+        steps: vec![Step::Clear(clear), Step::Primitives { first: 0, end: count }],
+        ..Batch::default()
+    };
+    surface.execute_shaded(&batch, vertices.as_flattened().to_vec());
+    let pixels = surface.pixels();
+    (pixels.color.clone(), pixels.depth_stencil.clone())
+}
+
+fn soup(seed: u64, count: usize, reach: f32) -> Vec<[[f32; 4]; 2]> {
+    let mut random = Random(seed);
+    let mut vertex = || {
+        let w = 0.3 + random.unit();
+        let position = [random.signed() * reach * w, random.signed() * reach * w, random.signed() * w, w];
+        [position, [random.unit(), random.unit(), random.unit(), random.unit()]]
+    };
+    (0..count).map(|_| vertex()).collect()
+}
+
+const TESTED: u32 = fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE;
+
+#[test]
+fn threads_levels_and_shortcuts_give_the_same_bits() {
+    for (topology, count) in [(topology::TRIANGLES, 9000), (topology::LINES, 600), (topology::POINTS, 300)] {
+        let vertices = soup(3, count, 1.3);
+        for flags in [0, TESTED, fragment_flags::BLEND, TESTED | fragment_flags::BLEND] {
+            let one = draw(&vertices, topology, flags, 1, Level::Scalar, Shortcut::None);
+            assert!(one.0.iter().any(|&c| c != 0));
+            for threads in [1, 2, 7] {
+                for level in [Level::Scalar, Level::best()] {
+                    for shortcut in [Shortcut::None, Shortcut::Varying(0)] {
+                        let other = draw(&vertices, topology, flags, threads, level, shortcut);
+                        assert!(one == other, "topology {topology}, flags {flags}, {threads} threads, {level:?}, {shortcut:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_last_primitive_is_on_top() {
+    let mut vertices = soup(4, 3000, 1.0);
+    let corner = |x: f32, y: f32| [[x, y, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0]];
+    vertices.extend([corner(-1.0, -1.0), corner(3.0, -1.0), corner(-1.0, 3.0)]);
+    let (color, _) = draw(&vertices, topology::TRIANGLES, 0, 7, Level::best(), Shortcut::Varying(0));
+    assert!(color.iter().all(|&c| c == 0xff00_00ff));
+}
+
+#[test]
+fn no_coordinate_does_harm() {
+    let odd = [0.0, -0.0, 1.0, -1.0, 1e-38, 1e30, -1e30, f32::MAX, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, 16777216.0, 1.5];
+    let mut random = Random(5);
+    let mut value = || odd[random.below(odd.len() as i32) as usize];
+    let vertices: Vec<_> = (0..6000).map(|_| [[value(), value(), value(), value()], [value(), value(), value(), value()]]).collect();
+    for topology in [topology::POINTS, topology::LINES, topology::TRIANGLES] {
+        let one = draw(&vertices, topology, TESTED | fragment_flags::BLEND, 2, Level::Scalar, Shortcut::None);
+        assert!(one == draw(&vertices, topology, TESTED | fragment_flags::BLEND, 1, Level::best(), Shortcut::Varying(0)));
+    }
+}
