@@ -1,7 +1,7 @@
 //! Fine stage: a bin's work in order: for each triangle its coverage tile by tile, then row by row of eight pixels
 //! the depth and stencil test, the colour and the write.
 //!
-//! Fragments of programs wait in a queue of eight rows, so that one run of the lane executor serves many small
+//! Fragments of programs wait in a queue, packed lane by lane, so that one run of the lane executor serves many small
 //! triangles; a queue is written out in the order in which it was filled, and before anything else is drawn.
 
 use super::layout::*;
@@ -12,7 +12,7 @@ use super::tile::{FULL, LocalEdges, rectangle_mask};
 use super::{blend, clear, depth_stencil, fast};
 use crate::device::{ColorFormat, SurfaceFormat};
 use crate::draw::{Batch, Clear};
-use crate::program::lanes::{Column4, Environment, FragmentResults, GROUPS, LANES, Machine, ZERO4};
+use crate::program::lanes::{Column, Column4, Environment, FragmentResults, GROUPS, LANES, Machine, ZERO4};
 use crate::program::{Input, Program, Shortcut};
 
 /// A piece of a batch, in order.
@@ -123,6 +123,8 @@ struct Row {
     at: u32,
     /// Pixels covered (and not yet rejected).
     mask: u32,
+    /// Lane of its first covered pixel; the others follow.
+    start: u32,
     /// Front-facing.
     front: bool,
     /// Quantised depth.
@@ -134,8 +136,10 @@ pub struct Worker {
     machine: Machine,
     inputs: Vec<Column4>,
     results: Box<FragmentResults>,
-    queue: [Row; GROUPS],
+    queue: Box<[Row; LANES * GROUPS]>,
     queued: usize,
+    /// Lanes that the queued rows take.
+    lanes: usize,
     /// Tiles that were fully and partly covered.
     pub tiles: [u64; 2],
 }
@@ -146,8 +150,9 @@ impl Default for Worker {
             machine: Machine::default(),
             inputs: Vec::new(),
             results: Box::new(FragmentResults { color: ZERO4, depth: [[0.0; LANES]; GROUPS], keep: [0; GROUPS] }),
-            queue: [Row::default(); GROUPS],
+            queue: Box::new([Row::default(); LANES * GROUPS]),
             queued: 0,
+            lanes: 0,
             tiles: [0; 2],
         }
     }
@@ -310,7 +315,8 @@ fn row_of_pixels<S: Simd>(
         write::<S>(plan, scene.format, bin, pixel, front, z, mask, color);
         return;
     }
-    let group = worker.queued;
+    let live = S::signs(mask);
+    let start = worker.lanes;
     for (input, column) in plan.program.inputs.iter().zip(&mut worker.inputs) {
         let value = match *input {
             Input::Position => [S::add(x, S::f(0.5)), S::add(y, S::f(0.5)), z_float, inv_w],
@@ -325,14 +331,17 @@ fn row_of_pixels<S: Simd>(
             }
         };
         for c in 0..4 {
-            S::store(value[c], &mut column[c][group]);
+            let to = &mut column[c].as_flattened_mut()[start..start + 8];
+            S::store(S::compress(value[c], live), to.try_into().expect("eight"));
         }
     }
-    let row = &mut worker.queue[group];
-    (row.at, row.mask, row.front) = (pixel as u32, S::signs(mask), front);
+    let row = &mut worker.queue[worker.queued];
+    (row.at, row.mask, row.start, row.front) = (pixel as u32, live, start as u32, front);
     S::store_u(z, &mut row.z);
     worker.queued += 1;
-    if worker.queued == GROUPS {
+    worker.lanes += live.count_ones() as usize;
+    // The next row stores eight lanes, whatever it covers.
+    if worker.lanes > LANES * GROUPS - 8 {
         flush::<S>(worker, scene, t.draw, bin);
     }
 }
@@ -357,6 +366,24 @@ fn varying<S: Simd>(plan: &Plan, planes: &[[f32; 4]], t: &Triangle, k: usize, x:
     value
 }
 
+/// Eight lanes of a column from any lane on.
+#[inline(always)]
+fn eight(column: &Column, start: usize) -> &[f32; 8] {
+    column.as_flattened()[start..start + 8].try_into().expect("eight")
+}
+
+/// The low bits of `dense`, in order, at the places of the set bits of `mask`.
+#[inline(always)]
+fn spread(mut dense: u64, mask: u32) -> u32 {
+    let (mut left, mut bits) = (mask, 0);
+    while left != 0 {
+        bits |= (left & left.wrapping_neg()) * (dense & 1) as u32;
+        left &= left - 1;
+        dense >>= 1;
+    }
+    bits
+}
+
 crate::dispatch! {
     /// [`flush_kernel`] at a level: one copy of it for all its callers.
     fn flush_at = flush_kernel<'a, 'b>(worker: &mut Worker, scene: &Scene<'a>, draw: u32, bin: &mut BinPixels<'b>)
@@ -375,6 +402,7 @@ fn flush<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mut BinPi
 #[inline(always)]
 fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mut BinPixels) {
     let count = std::mem::take(&mut worker.queued);
+    let lane_count = std::mem::take(&mut worker.lanes);
     if count == 0 {
         return;
     }
@@ -382,23 +410,29 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
     let first = (plan.record.first_texture as usize).min(scene.batch.textures.len());
     let env =
         Environment { uniforms: &scene.batch.uniforms, base: plan.record.fragment_uniforms, textures: &scene.batch.textures[first..] };
-    worker.machine.run_fragment(plan.program, &env, &worker.inputs, &mut worker.results, count);
+    worker.machine.run_fragment(plan.program, &env, &worker.inputs, &mut worker.results, lane_count.div_ceil(LANES));
     let results = &worker.results;
-    for (group, row) in worker.queue[..count].iter().enumerate() {
+    let keep = u64::from_le_bytes(results.keep);
+    for row in &worker.queue[..count] {
+        let start = row.start as usize;
         let mut bits = row.mask;
         if plan.program.discards {
-            bits &= results.keep[group] as u32;
+            bits = spread(keep >> start, bits);
         }
         if bits == 0 {
             continue;
         }
         let mut z = S::load_u(&row.z);
         if plan.program.writes_depth && plan.tests {
-            z = depth_stencil::quantize::<S>(S::load(&results.depth[group]), plan.depth_range, plan.depth_scale);
+            z = depth_stencil::quantize::<S>(
+                S::expand(S::load(eight(&results.depth, start)), row.mask),
+                plan.depth_range,
+                plan.depth_scale,
+            );
         }
         let mut color = [S::f(0.0); 4];
         for c in 0..4 {
-            color[c] = S::load(&results.color[c][group]);
+            color[c] = S::expand(S::load(eight(&results.color[c], start)), row.mask);
         }
         write::<S>(plan, scene.format, bin, row.at as usize, row.front, z, lanes::<S>(bits), color);
     }

@@ -59,6 +59,31 @@ pub trait Simd: Copy + 'static {
     fn min16(a: Self::I, b: Self::I) -> Self::I;
     /// 16-bit halves: maximum, as signed numbers.
     fn max16(a: Self::I, b: Self::I) -> Self::I;
+    /// The lanes whose bit is set, moved to the front in their order; the others are anything.
+    fn compress(a: Self::F, bits: u32) -> Self::F;
+    /// The inverse: the first lanes spread to those whose bit is set.
+    fn expand(a: Self::F, bits: u32) -> Self::F;
+}
+
+/// For each mask of eight: which lane comes to which place, when lanes are compressed (0) and expanded (1).
+static MOVES: [[[u8; 8]; 256]; 2] = moves();
+
+const fn moves() -> [[[u8; 8]; 256]; 2] {
+    let mut table = [[[0; 8]; 256]; 2];
+    let mut bits = 0;
+    while bits < 256 {
+        let (mut lane, mut at) = (0, 0);
+        while lane < 8 {
+            if bits >> lane & 1 != 0 {
+                table[0][bits][at] = lane as u8;
+                table[1][bits][lane] = at as u8;
+                at += 1;
+            }
+            lane += 1;
+        }
+        bits += 1;
+    }
+    table
 }
 
 /// Plain Rust, for any machine.
@@ -245,6 +270,14 @@ impl Simd for Portable {
     fn max16(a: Self::I, b: Self::I) -> Self::I {
         zip(a, b, |a, b| halves(a, b, |x, y| (x as i16).max(y as i16) as u16))
     }
+    #[inline(always)]
+    fn compress(a: Self::F, bits: u32) -> Self::F {
+        map(MOVES[0][bits as usize & 255], |from| a[from as usize])
+    }
+    #[inline(always)]
+    fn expand(a: Self::F, bits: u32) -> Self::F {
+        map(MOVES[1][bits as usize & 255], |from| a[from as usize])
+    }
 }
 
 /// AVX2 and FMA.
@@ -262,6 +295,18 @@ macro_rules! op {
             unsafe { $e }
         }
     };
+}
+
+/// Lane k becomes lane `from[k]`.
+///
+/// # Safety
+/// The machine has AVX2.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+unsafe fn permute(a: std::arch::x86_64::__m256, from: &[u8; 8]) -> std::arch::x86_64::__m256 {
+    use std::arch::x86_64::*;
+    // SAFETY: the caller's promise; the load reads the eight bytes.
+    unsafe { _mm256_permutevar8x32_ps(a, _mm256_cvtepu8_epi32(_mm_loadl_epi64(from.as_ptr().cast()))) }
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -325,6 +370,8 @@ impl Simd for Avx2 {
         unsafe { std::arch::x86_64::_mm256_srli_epi16::<N>(a) }
     }
     op!(min16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_min_epi16(a, b));
+    op!(compress(a: Self::F, bits: u32) -> Self::F, permute(a, &MOVES[0][bits as usize & 255]));
+    op!(expand(a: Self::F, bits: u32) -> Self::F, permute(a, &MOVES[1][bits as usize & 255]));
     op!(max16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_max_epi16(a, b));
 }
 

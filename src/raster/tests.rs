@@ -174,7 +174,7 @@ const TESTED: u32 = fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE;
 
 #[test]
 fn threads_levels_and_shortcuts_give_the_same_bits() {
-    for (topology, count) in [(topology::TRIANGLES, 9000), (topology::LINES, 600), (topology::POINTS, 300)] {
+    for (topology, count) in [(topology::TRIANGLES, 2400), (topology::LINES, 600), (topology::POINTS, 300)] {
         let vertices = soup(3, count, 1.3);
         for flags in [0, TESTED, fragment_flags::BLEND, TESTED | fragment_flags::BLEND] {
             let one = draw(&vertices, topology, flags, 1, Level::Scalar, Shortcut::None);
