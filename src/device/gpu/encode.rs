@@ -203,7 +203,7 @@ fn align4(words: &mut Vec<u32>) -> u32 {
 /// Makes the plan of a batch whose front end has run.
 pub fn plan(batch: &Batch, front: &HostFront, heap: &mut Heap, size: [u32; 2], format: SurfaceFormat) -> Plan {
     let mut plan = Plan::default();
-    let mut base = Params {
+    let base = Params {
         size,
         bins: size.map(|s| s.div_ceil(BIN_SIZE)),
         top_first: format.top_first as u32,
