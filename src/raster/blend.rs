@@ -43,9 +43,35 @@ fn mul255<S: Simd>(a: S::I, b: S::I) -> S::I {
     S::shr16::<8>(S::add16(S::add16(t, S::shr16::<8>(t)), S::i(0x0080_0080)))
 }
 
+// Pairwise operations are spelled out: a closure or a function passed by name would not be compiled with the features of the
+// SIMD level, and each instruction in it would become a call.
+
 #[inline(always)]
-fn both<S: Simd>(a: Pairs<S::I>, b: Pairs<S::I>, f: impl Fn(S::I, S::I) -> S::I) -> Pairs<S::I> {
-    (f(a.0, b.0), f(a.1, b.1))
+fn mul255_pairs<S: Simd>(a: Pairs<S::I>, b: Pairs<S::I>) -> Pairs<S::I> {
+    (mul255::<S>(a.0, b.0), mul255::<S>(a.1, b.1))
+}
+
+#[inline(always)]
+fn min_pairs<S: Simd>(a: Pairs<S::I>, b: Pairs<S::I>) -> Pairs<S::I> {
+    (S::min16(a.0, b.0), S::min16(a.1, b.1))
+}
+
+#[inline(always)]
+fn max_pairs<S: Simd>(a: Pairs<S::I>, b: Pairs<S::I>) -> Pairs<S::I> {
+    (S::max16(a.0, b.0), S::max16(a.1, b.1))
+}
+
+/// a - b, at least 0.
+#[inline(always)]
+fn difference<S: Simd>(a: Pairs<S::I>, b: Pairs<S::I>) -> Pairs<S::I> {
+    (S::max16(S::sub16(a.0, b.0), S::i(0)), S::max16(S::sub16(a.1, b.1), S::i(0)))
+}
+
+/// a + b, at most 255.
+#[inline(always)]
+fn sum<S: Simd>(a: Pairs<S::I>, b: Pairs<S::I>) -> Pairs<S::I> {
+    let most = S::i(0x00ff_00ff);
+    (S::min16(S::add16(a.0, b.0), most), S::min16(S::add16(a.1, b.1), most))
 }
 
 /// Alpha in all four components.
@@ -78,7 +104,7 @@ fn times<S: Simd>(factor: u32, term: Pairs<S::I>, s: Pairs<S::I>, d: Pairs<S::I>
         DST_COLOR => d,
         ONE_MINUS_DST_COLOR => complement::<S>(d),
         SRC_ALPHA_SATURATE => {
-            let f = both::<S>(alpha::<S>(s), complement::<S>(alpha::<S>(d)), S::min16);
+            let f = min_pairs::<S>(alpha::<S>(s), complement::<S>(alpha::<S>(d)));
             // The factor of alpha is 1.
             (f.0, S::or(S::and(f.1, S::i(0xffff)), S::i(0x00ff_0000)))
         }
@@ -87,24 +113,23 @@ fn times<S: Simd>(factor: u32, term: Pairs<S::I>, s: Pairs<S::I>, d: Pairs<S::I>
         CONSTANT_ALPHA => alpha::<S>(constant),
         _ => complement::<S>(alpha::<S>(constant)),
     };
-    both::<S>(term, f, mul255::<S>)
+    mul255_pairs::<S>(term, f)
 }
 
 #[inline(always)]
 fn equation<S: Simd>(state: &FragmentState, k: usize, s: Pairs<S::I>, d: Pairs<S::I>, constant: Pairs<S::I>) -> Pairs<S::I> {
     let eq = state.blend_equations[k];
     match eq {
-        blend_equation::MIN => return both::<S>(s, d, S::min16),
-        blend_equation::MAX => return both::<S>(s, d, S::max16),
+        blend_equation::MIN => return min_pairs::<S>(s, d),
+        blend_equation::MAX => return max_pairs::<S>(s, d),
         _ => {}
     }
     let a = times::<S>(state.blend_factors[2 * k], s, s, d, constant);
     let b = times::<S>(state.blend_factors[2 * k + 1], d, s, d, constant);
-    let (zero, most) = (S::i(0), S::i(0x00ff_00ff));
     match eq {
-        blend_equation::SUBTRACT => both::<S>(a, b, |a, b| S::max16(S::sub16(a, b), zero)),
-        blend_equation::REVERSE_SUBTRACT => both::<S>(a, b, |a, b| S::max16(S::sub16(b, a), zero)),
-        _ => both::<S>(a, b, |a, b| S::min16(S::add16(a, b), most)),
+        blend_equation::SUBTRACT => difference::<S>(a, b),
+        blend_equation::REVERSE_SUBTRACT => difference::<S>(b, a),
+        _ => sum::<S>(a, b),
     }
 }
 
@@ -148,7 +173,7 @@ pub fn over<S: Simd>(s: Pairs<S::I>, d: Pairs<S::I>) -> Pairs<S::I> {
 /// A logic op on packed pixels (GL's op minus GL_CLEAR).
 #[inline(always)]
 pub fn logic_op<S: Simd>(op: u32, s: S::I, d: S::I) -> S::I {
-    let not = |v: S::I| S::xor(v, S::i(-1));
+    let ones = S::i(-1);
     match op {
         0 => S::i(0),
         1 => S::and(s, d),
@@ -158,14 +183,14 @@ pub fn logic_op<S: Simd>(op: u32, s: S::I, d: S::I) -> S::I {
         5 => d,
         6 => S::xor(s, d),
         7 => S::or(s, d),
-        8 => not(S::or(s, d)),
-        9 => not(S::xor(s, d)),
-        10 => not(d),
-        11 => S::or(s, not(d)),
-        12 => not(s),
-        13 => S::or(not(s), d),
-        14 => not(S::and(s, d)),
-        _ => S::i(-1),
+        8 => S::xor(S::or(s, d), ones),
+        9 => S::xor(S::xor(s, d), ones),
+        10 => S::xor(d, ones),
+        11 => S::or(s, S::xor(d, ones)),
+        12 => S::xor(s, ones),
+        13 => S::or(S::xor(s, ones), d),
+        14 => S::xor(S::and(s, d), ones),
+        _ => ones,
     }
 }
 

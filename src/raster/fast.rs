@@ -22,7 +22,8 @@ pub const COPY: u32 = 4;
 
 /// Which routine serves a state. `direct`: the colour is a varying.
 pub fn choose(state: &FragmentState, format: SurfaceFormat, direct: bool, write_mask: u32) -> u32 {
-    use fragment_flags::*;
+    // By name: a glob import would hide this module's `BLEND`.
+    use fragment_flags::{ALPHA_TEST, DEPTH_TEST, DEPTH_WRITE, LOGIC_OP, STENCIL_TEST};
     if !direct || format.color != ColorFormat::Rgba8 || write_mask != !0 || state.flags & (STENCIL_TEST | ALPHA_TEST | LOGIC_OP) != 0 {
         return NONE;
     }
@@ -100,5 +101,31 @@ pub fn tile<S: Simd, const MODE: u32>(
         let s = blend::quantize4::<S>(color);
         let new = if MODE & BLEND != 0 { blend::over::<S>(s, blend::unpack::<S>(old)) } else { s };
         S::store_u(S::select(live, blend::pack::<S>(new), old), words);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::device::DepthFormat;
+    use bytemuck::Zeroable;
+
+    #[test]
+    fn every_routine_serves_its_state() {
+        let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true };
+        let plain = FragmentState { color_mask: 15, ..FragmentState::zeroed() };
+        let depth = fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE;
+        let (s, d) = (blend_factor::SRC_ALPHA, blend_factor::ONE_MINUS_SRC_ALPHA);
+        for (flags, routine) in [
+            (0, COPY),
+            (depth, DEPTH),
+            (fragment_flags::BLEND, BLEND),
+            (depth | fragment_flags::BLEND, DEPTH_BLEND),
+            (fragment_flags::LOGIC_OP, NONE),
+        ] {
+            let state = FragmentState { flags, depth_func: compare::LESS, blend_factors: [s, d, s, d], ..plain };
+            assert_eq!(choose(&state, format, true, !0), routine, "flags {flags:#x}");
+            assert_eq!(choose(&state, format, false, !0), NONE);
+        }
     }
 }
