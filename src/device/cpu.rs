@@ -16,7 +16,7 @@ use crate::raster::layout::raster_flags;
 use crate::raster::setup::{Chunk, SetupInput};
 use crate::raster::simd::Level;
 use crate::raster::store::Store;
-use crate::raster::vertex::{BLOCK, ScreenVertex, VertexWorker, place};
+use crate::raster::vertex::{self, ScreenVertex, VertexWorker, place};
 
 /// Primitives in a run.
 const CHUNK: u32 = 2048;
@@ -180,41 +180,15 @@ impl Surface for CpuSurface {
 
 /// Shades all vertices of a batch. Returns the first [`ScreenVertex`] of each draw.
 fn shade(batch: &Batch, scratch: &mut Scratch, pool: Option<&rayon::ThreadPool>) -> Vec<u32> {
-    let mut bases = Vec::with_capacity(batch.draws.len());
-    let mut vertices = 0;
-    for draw in &batch.draws {
-        bases.push(vertices as u32);
-        vertices += draw.record.vertex_count as usize;
-    }
-    scratch.shaded.resize(batch.shaded_vec4 as usize, [0.0; 4]);
-    scratch.screen.resize(vertices, ScreenVertex::default());
-    // Cut the outputs into blocks: each is written by one worker.
-    let (mut shaded, mut screen) = (&mut scratch.shaded[..], &mut scratch.screen[..]);
-    let mut at = 0;
-    let mut blocks = Vec::with_capacity(vertices / BLOCK + batch.draws.len());
-    for draw in &batch.draws {
-        let record = &draw.record;
-        assert!(record.shaded_base as usize >= at, "shaded vertices lie in the order of the draws");
-        shaded = &mut shaded[record.shaded_base as usize - at..];
-        let mut first = 0;
-        while first < record.vertex_count as usize {
-            let count = (record.vertex_count as usize - first).min(BLOCK);
-            let (s, rest) = shaded.split_at_mut(count * record.shaded_stride as usize);
-            let (p, screen_rest) = screen.split_at_mut(count);
-            (shaded, screen) = (rest, screen_rest);
-            blocks.push((draw, first, s, p));
-            first += count;
-        }
-        at = record.shaded_base as usize + record.vertex_count as usize * record.shaded_stride as usize;
-    }
+    let (bases, blocks) = vertex::blocks(batch, &mut scratch.shaded, &mut scratch.screen);
     match pool {
         Some(pool) if blocks.len() > 4 => pool.install(|| {
             blocks
                 .into_par_iter()
                 .with_min_len(4)
-                .for_each_init(VertexWorker::default, |w, (draw, first, s, p)| w.run(batch, draw, first, s, p))
+                .for_each_init(VertexWorker::default, |w, block| w.block(batch, block))
         }),
-        _ => VERTEX.with_borrow_mut(|w| blocks.into_iter().for_each(|(draw, first, s, p)| w.run(batch, draw, first, s, p))),
+        _ => VERTEX.with_borrow_mut(|w| blocks.into_iter().for_each(|block| w.block(batch, block))),
     }
     bases
 }

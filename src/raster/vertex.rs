@@ -163,3 +163,51 @@ pub fn place(vertex: &[[f32; 4]], record: &DrawRecord, state: &RasterState) -> S
     }
     placed
 }
+
+/// Vertices of one draw that one worker shades, and where they go.
+pub struct VertexBlock<'a> {
+    draw: &'a Draw,
+    first: usize,
+    shaded: &'a mut [[f32; 4]],
+    screen: &'a mut [ScreenVertex],
+}
+
+/// Sizes the outputs of the vertex stage for a batch and cuts them into blocks of at most [`BLOCK`] vertices. Returns the first
+/// [`ScreenVertex`] of each draw, and the blocks.
+pub fn blocks<'a>(batch: &'a Batch, shaded: &'a mut Vec<[f32; 4]>, screen: &'a mut Vec<ScreenVertex>) -> (Vec<u32>, Vec<VertexBlock<'a>>) {
+    let mut bases = Vec::with_capacity(batch.draws.len());
+    let mut vertices = 0;
+    for draw in &batch.draws {
+        bases.push(vertices as u32);
+        vertices += draw.record.vertex_count as usize;
+    }
+    shaded.resize(batch.shaded_vec4 as usize, [0.0; 4]);
+    screen.resize(vertices, ScreenVertex::default());
+    // Cut the outputs into blocks: each is written by one worker.
+    let (mut shaded, mut screen) = (&mut shaded[..], &mut screen[..]);
+    let mut at = 0;
+    let mut blocks = Vec::with_capacity(vertices / BLOCK + batch.draws.len());
+    for draw in &batch.draws {
+        let record = &draw.record;
+        assert!(record.shaded_base as usize >= at, "shaded vertices lie in the order of the draws");
+        shaded = &mut shaded[record.shaded_base as usize - at..];
+        let mut first = 0;
+        while first < record.vertex_count as usize {
+            let count = (record.vertex_count as usize - first).min(BLOCK);
+            let (s, rest) = shaded.split_at_mut(count * record.shaded_stride as usize);
+            let (p, screen_rest) = screen.split_at_mut(count);
+            (shaded, screen) = (rest, screen_rest);
+            blocks.push(VertexBlock { draw, first, shaded: s, screen: p });
+            first += count;
+        }
+        at = record.shaded_base as usize + record.vertex_count as usize * record.shaded_stride as usize;
+    }
+    (bases, blocks)
+}
+
+impl VertexWorker {
+    /// Shades a block.
+    pub fn block(&mut self, batch: &Batch, block: VertexBlock) {
+        self.run(batch, block.draw, block.first, block.shaded, block.screen);
+    }
+}

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use crate::draw::{Batch, Step};
 use crate::raster::layout::Triangle;
 use crate::raster::setup::{Chunk, SetupInput};
-use crate::raster::vertex::{BLOCK, ScreenVertex, VertexWorker};
+use crate::raster::vertex::{self, ScreenVertex, VertexWorker};
 
 /// Primitives in a run.
 const RUN: u32 = 2048;
@@ -66,35 +66,8 @@ impl HostFront {
 
     /// Shades all vertices. Returns the first [`ScreenVertex`] of each draw.
     fn shade(&mut self, batch: &Batch) -> Vec<u32> {
-        let mut bases = Vec::with_capacity(batch.draws.len());
-        let mut vertices = 0;
-        for draw in &batch.draws {
-            bases.push(vertices as u32);
-            vertices += draw.record.vertex_count as usize;
-        }
-        self.shaded.resize(batch.shaded_vec4 as usize, [0.0; 4]);
-        self.screen.resize(vertices, ScreenVertex::default());
-        let (mut shaded, mut screen) = (&mut self.shaded[..], &mut self.screen[..]);
-        let mut at = 0;
-        let mut blocks = Vec::with_capacity(vertices / BLOCK + batch.draws.len());
-        for draw in &batch.draws {
-            let record = &draw.record;
-            shaded = &mut shaded[record.shaded_base as usize - at..];
-            let mut first = 0;
-            while first < record.vertex_count as usize {
-                let count = (record.vertex_count as usize - first).min(BLOCK);
-                let (s, rest) = shaded.split_at_mut(count * record.shaded_stride as usize);
-                let (p, screen_rest) = screen.split_at_mut(count);
-                (shaded, screen) = (rest, screen_rest);
-                blocks.push((draw, first, s, p));
-                first += count;
-            }
-            at = record.shaded_base as usize + record.vertex_count as usize * record.shaded_stride as usize;
-        }
-        blocks
-            .into_par_iter()
-            .with_min_len(8)
-            .for_each_init(VertexWorker::default, |w, (draw, first, s, p)| w.run(batch, draw, first, s, p));
+        let (bases, blocks) = vertex::blocks(batch, &mut self.shaded, &mut self.screen);
+        blocks.into_par_iter().with_min_len(8).for_each_init(VertexWorker::default, |w, block| w.block(batch, block));
         bases
     }
 }
