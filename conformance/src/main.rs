@@ -10,6 +10,7 @@ mod expectations;
 mod flip;
 mod frame;
 mod order;
+mod raster;
 mod report;
 mod runner;
 mod start;
@@ -60,6 +61,8 @@ enum Command {
     Order(order::Options),
     /// Programs built on other people's libraries (PyOpenGL, GLU, GLFW), unmodified.
     Clients(clients::Options),
+    /// The rasterizer alone on the scenes S1 to S6, on a GPU.
+    Raster(raster::Options),
     /// Time from process start to the first frame.
     Start(start::Options),
 }
@@ -70,6 +73,7 @@ fn main() -> ExitCode {
         Command::Bench(options) => bench::main(&options),
         Command::Order(options) => order::main(&options),
         Command::Clients(options) => clients::main(&options),
+        Command::Raster(options) => raster::main(&options),
         Command::Start(options) => start::main(&options),
     };
     match outcome {
