@@ -4,12 +4,12 @@
 //#if COLOR_8BIT
 // Adding 2^23 rounds to the nearest (even) integer and leaves it in the low bits.
 fn tp_quantise_color(c: vec4<f32>) -> vec4<u32> {
-    return bitcast<vec4<u32>>(min(max(c, vec4<f32>(0.0)), vec4<f32>(1.0)) * 255.0 + 8388608.0) & vec4<u32>(255u);
+    return bitcast<vec4<u32>>(tp_mul4(min(max(c, vec4<f32>(0.0)), vec4<f32>(1.0)), 255.0) + 8388608.0) & vec4<u32>(255u);
 }
 
 // Red with blue, green with alpha, in halves of a word.
 fn tp_quantise_pairs(c: vec4<f32>) -> vec2<u32> {
-    let v = bitcast<vec4<u32>>(min(max(c, vec4<f32>(0.0)), vec4<f32>(1.0)) * 255.0 + 8388608.0);
+    let v = bitcast<vec4<u32>>(tp_mul4(min(max(c, vec4<f32>(0.0)), vec4<f32>(1.0)), 255.0) + 8388608.0);
     return vec2<u32>((v.x & 255u) | ((v.z & 255u) << 16u), (v.y & 255u) | ((v.w & 255u) << 16u));
 }
 

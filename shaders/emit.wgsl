@@ -1,6 +1,7 @@
-// A lane for each bin and each super block: writes the triangles of the masks, in order, to the bin's list, and leaves
-// the masks zero for the next segment.
+// Writes the triangles of the masks, in order, to the bins' lists, and leaves the masks zero for the next segment. A lane for each bin and
+// super block (RUNS), or one for each of its 32 blocks.
 
+//#if RUNS
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     let index = id.x + id.y * groups.x * TP_LANES;
@@ -45,3 +46,44 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
         }
     }
 }
+//#else
+var<workgroup> tp_counts: array<u32, TP_LANES>;
+
+@compute @workgroup_size(TP_LANES)
+fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let number = id.x + id.y * groups.x * TP_LANES;
+    let index = number / 32u;
+    let supers = tp_supers();
+    let blocks = tp_blocks();
+    let bin = index / max(supers, 1u);
+    let block = (index - bin * supers) * 32u + (number & 31u);
+    let there = index < tp.bins.x * tp.bins.y * supers && block < blocks;
+    let mask_at = tp.mask_base + bin * blocks + block;
+    var bits = 0u;
+    if (there) {
+        bits = tp_lists[mask_at];
+    }
+    tp_counts[lane] = countOneBits(bits);
+    workgroupBarrier();
+    if (bits == 0u) {
+        return;
+    }
+    tp_lists[mask_at] = 0u;
+    if (tp_lists[0] > tp.list_blocks) {
+        return;
+    }
+    var at = tp.list_base + tp_lists[tp.bin_base + bin * 2u] * 32u + tp_lists[tp.count_base + index];
+    for (var l = lane & ~31u; l < lane; l++) {
+        at += tp_counts[l];
+    }
+    let first = tp_first_triangle() + block * 32u;
+    loop {
+        tp_lists[at] = first + countTrailingZeros(bits);
+        at++;
+        bits &= bits - 1u;
+        if (bits == 0u) {
+            break;
+        }
+    }
+}
+//#endif

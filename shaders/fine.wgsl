@@ -72,11 +72,42 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         }
     }
 
+    var entry = (first_block + block - 1u) * 32u + countTrailingZeros(bits);
+    var more = true;
+//#if VECTORS
+    // The next entry is loaded while this one is drawn.
+    var next_0 = tp_lists[(tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u];
+    var next_1 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 1u];
+    var next_2 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 2u];
+//#endif
     loop {
-        let entry = (first_block + block - 1u) * 32u + countTrailingZeros(bits);
-        bits &= bits - 1u;
+//#if VECTORS
+        let ta_0 = next_0;
+        let ta_1 = next_1;
+        let tb_0 = next_1;
+        let tb_1 = next_2;
+//#else
         //#load ta tp_lists tp.entry_base + entry * TP_ENTRY_WORDS
         //#load tb tp_lists tp.entry_base + entry * TP_ENTRY_WORDS + 4u
+//#endif
+        // To the next triangle of this tile.
+        bits &= bits - 1u;
+        loop {
+            if (bits != 0u || block >= blocks) {
+                break;
+            }
+            bits = tp_list(tp.tile_base + (first_block + block) * 64u + tile);
+            block++;
+        }
+        more = bits != 0u;
+        entry = (first_block + block - 1u) * 32u + countTrailingZeros(bits);
+//#if VECTORS
+        if (more) {
+            next_0 = tp_lists[(tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u];
+            next_1 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 1u];
+            next_2 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 2u];
+        }
+//#endif
         let box = WORD(tb, 5);
         let planes = WORD(tb, 6);
         let draw_and_flags = WORD(tb, 7);
@@ -109,17 +140,26 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         let in_columns = local_x >= i32(box & 255u) && local_x <= i32((box >> 8u) & 255u);
         let low = max(i32((box >> 16u) & 255u), local_top) - local_top;
         let high = min(i32(box >> 24u), local_top + 7) - local_top;
+//#if VECTORS
+        let e0 = c + a * local_x + b * (local_top + first_row);
+        // A constant number of rounds: pixels stay in registers.
+        for (var r = 0; r < TP_ROWS; r++) {
+            let row = first_row + r * TP_ROW_STEP;
+            let e = e0 + b * (r * TP_ROW_STEP);
+            var covered = (e.x | e.y | e.z) >= 0 && in_columns && row >= low && row <= high;
+//#else
         var row = first_row + (low / TP_ROW_STEP) * TP_ROW_STEP;
         var e = c + a * local_x + b * (local_top + row);
         loop {
+            let r = row / TP_ROW_STEP;
             var covered = (e.x | e.y | e.z) >= 0 && in_columns && row >= low && row <= high;
+//#endif
             let py = i32(origin.y) + row;
 //#if STIPPLE
             covered = covered && tp_stipple(state, flags, px, u32(py));
 //#endif
             if (covered) {
                 let y = f32(py);
-                let r = row / TP_ROW_STEP;
 //#if DEPTH_BUFFER
                 let old_depth = tp_depths[r];
 //#endif
@@ -205,22 +245,17 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#endif
                 dirty |= 1u << u32(r);
             }
+//#if VECTORS
+//#else
             continuing {
                 row += TP_ROW_STEP;
                 e += b * TP_ROW_STEP;
                 break if row > high;
             }
-        }
-        // To the next block that holds a triangle of this tile.
-        loop {
-            if (bits != 0u || block >= blocks) {
-                break;
-            }
-            bits = tp_list(tp.tile_base + (first_block + block) * 64u + tile);
-            block++;
+//#endif
         }
         continuing {
-            break if bits == 0u;
+            break if !more;
         }
     }
 

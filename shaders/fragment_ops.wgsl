@@ -35,7 +35,7 @@ fn tp_accepts(func: u32, less: bool, equal: bool, greater: bool) -> bool {
 
 fn tp_alpha_test(s: TpState, a: f32) -> bool {
     // In the precision of an eight-bit colour buffer.
-    let v = bitcast<u32>(min(max(a, 0.0), 1.0) * 255.0 + 8388608.0) & 255u;
+    let v = bitcast<u32>(tp_mul(min(max(a, 0.0), 1.0), 255.0) + 8388608.0) & 255u;
     let r = s.alpha_ref;
     return (s.flags & TP_ALPHA_TEST_ON) == 0u || tp_accepts(s.alpha_func, (v < r), (v == r), (v > r));
 }

@@ -1,5 +1,8 @@
 // Samples offer keys: small triangles in the lane that sets them up, large ones are queued in blocks of 64 x 64 pixels.
 
+// Most samples that a lane looks at by itself.
+const TP_SMALL = 64;
+
 // What a lane knows of a triangle while it walks its samples.
 struct TpWalk {
     // First and last column and row.
@@ -75,54 +78,49 @@ fn tp_edge_biases(dx: vec3<i32>, dy: vec3<i32>) -> vec3<i32> {
     return select(vec3<i32>(1), vec3<i32>(0), (dy < vec3<i32>(0)) | ((dy == vec3<i32>(0)) & bottom));
 }
 
-// Most samples that a lane looks at by itself.
-const TP_SMALL = 64;
+// Blocks of 64 x 64 pixels that a triangle is to be queued in; 0: a lane draws it by itself.
+fn tp_blocks_of(walk: ptr<function, TpWalk>) -> vec2<u32> {
+    let extent = (*walk).high - (*walk).low + 1;
+    let small = extent.x <= TP_SMALL && extent.y <= TP_SMALL && extent.x * extent.y <= TP_SMALL;
+    return select(vec2<u32>((extent + 63) >> vec2<u32>(6u)), vec2<u32>(0u), small);
+}
 
-// A triangle: its samples offer their keys here, or its blocks are queued.
-fn tp_offer_triangle(p: TpPrimitive, index: u32, triangle: u32, a: TpCorner, b: TpCorner, c: TpCorner) {
-    var walk: TpWalk;
-    if (!tp_walk(p, index, triangle, a, b, c, &walk)) {
-        return;
+// Queues a triangle's blocks at a place of the queue.
+fn tp_queue_blocks(first: u32, blocks: vec2<u32>, index: u32, triangle: u32) {
+    let count = blocks.x * blocks.y;
+    for (var k = 0u; k < count && first + k < tf.item_capacity; k++) {
+        let at = tf.item_base + (first + k) * 3u;
+        atomicStore(&tp_queue[at], index);
+        atomicStore(&tp_queue[at + 1u], triangle);
+        atomicStore(&tp_queue[at + 2u], (k % blocks.x) | ((k / blocks.x) << 16u));
     }
-    let extent = walk.high - walk.low + 1;
-    if (extent.x > TP_SMALL || extent.y > TP_SMALL || extent.x * extent.y > TP_SMALL) {
-        let blocks = vec2<u32>((extent + 63) >> vec2<u32>(6u));
-        let count = blocks.x * blocks.y;
-        let first = atomicAdd(&tp_queue[TP_BLOCKS], count);
-        for (var k = 0u; k < count && first + k < tf.item_capacity; k++) {
-            let at = tf.item_base + (first + k) * 3u;
-            atomicStore(&tp_queue[at], index);
-            atomicStore(&tp_queue[at + 1u], triangle);
-            atomicStore(&tp_queue[at + 2u], (k % blocks.x) | ((k / blocks.x) << 16u));
-        }
-        return;
-    }
-    // Near the first sample everything fits 32 bits, also for a triangle whose scissored part alone is small: larger ones are queued.
-    let dx = walk.x - walk.x.yzx;
-    let dy = walk.y - walk.y.yzx;
+}
+
+// A small triangle's samples offer their keys.
+fn tp_offer_samples(walk: ptr<function, TpWalk>) {
+    let low = (*walk).low;
+    let extent = (*walk).high - low + 1;
+    // Near the first sample everything fits 32 bits, unless the scissor left little of a large triangle.
+    let dx = (*walk).x - (*walk).x.yzx;
+    let dy = (*walk).y - (*walk).y.yzx;
     let wide = max(max(abs(dx.x) | abs(dx.y), abs(dx.z)), max(abs(dy.x) | abs(dy.y), abs(dy.z)));
-    let qx = walk.x - walk.low.x * 256;
-    let qy = walk.y - walk.low.y * 256;
-    var c0: vec3<i32>;
+    let qx = (*walk).x - low.x * 256;
+    let qy = (*walk).y - low.y * 256;
+    var first: vec3<i32>;
     if (wide < 0x4000) {
-        c0 = (dy * qx - dx * qy - tp_edge_biases(dx, dy)) >> vec3<u32>(8u);
+        first = (dy * qx - dx * qy - tp_edge_biases(dx, dy)) >> vec3<u32>(8u);
     } else {
-        c0 = tp_wide_edges(dx, dy, qx, qy);
+        first = tp_wide_edges(dx, dy, qx, qy);
     }
-    var row = 0;
-    loop {
-        var e = c0 + dx * row;
-        let py = walk.low.y + row;
+    for (var row = 0; row < extent.y; row++) {
+        var e = first + dx * row;
+        let py = low.y + row;
         for (var column = 0; column < extent.x; column++) {
             if ((e.x | e.y | e.z) >= 0) {
-                let px = walk.low.x + column;
-                tp_offer(&walk, px, py, tp_fma(f32(px), walk.z.y, walk.z.x));
+                let px = low.x + column;
+                tp_offer(walk, px, py, tp_fma(f32(px), (*walk).z.y, (*walk).z.x));
             }
             e -= dy;
-        }
-        row++;
-        if (row >= extent.y) {
-            break;
         }
     }
 }

@@ -107,8 +107,9 @@ fn tp_main(@builtin(local_invocation_index) lane: u32) {
         tp_front[at + 1u] = count;
         tp_front[at + 2u] = blocks;
         tp_front[at + 3u] = supers;
-        let dispatch = TP_SEGMENT_DISPATCH + (tf.first_segment + s) * 8u;
+        let dispatch = TP_SEGMENT_DISPATCH + (tf.first_segment + s) * 12u;
         tp_dispatch(dispatch, count * select(1u, tf.bin_rows, count < TP_FEW_TRIANGLES));
         tp_dispatch(dispatch + 4u, tf.bins * supers);
+        tp_dispatch(dispatch + 8u, tf.bins * supers * TP_EMIT_LANES);
     }
 }

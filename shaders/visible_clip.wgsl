@@ -33,7 +33,15 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
             atomicStore(&tp_queue[at], a);
             atomicStore(&tp_queue[at + 1u], b);
             atomicStore(&tp_queue[at + 2u], centre);
-            tp_offer_triangle(p, index, i + 1u, tp_corner_at(p, a), tp_corner_at(p, b), tp_corner_at(p, centre));
+            var walk: TpWalk;
+            if (tp_walk(p, index, i + 1u, tp_corner_at(p, a), tp_corner_at(p, b), tp_corner_at(p, centre), &walk)) {
+                let blocks = tp_blocks_of(&walk);
+                if (blocks.x > 0u) {
+                    tp_queue_blocks(atomicAdd(&tp_queue[TP_BLOCKS], blocks.x * blocks.y), blocks, index, i + 1u);
+                } else {
+                    tp_offer_samples(&walk);
+                }
+            }
         }
     }
 }

@@ -8,11 +8,12 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     let tile = (group.x + group.y * 32768u) * (TP_LANES / 64u) + lane / 64u;
     let columns = (tp.size.x + 7u) / 8u;
     let px = (tile % columns) * 8u + (lane & 7u);
-    let py = (tile / columns) * 8u + ((lane >> 3u) & 7u);
-    if (px >= tp.size.x || py >= tp.size.y) {
+    let row = (tile / columns) * 8u + ((lane >> 3u) & 7u);
+    if (px >= tp.size.x || row >= tp.size.y) {
         return;
     }
-    let at = py * tp.size.x + px;
+    let py = i32(row);
+    let at = row * tp.size.x + px;
     let key = tp_keys[at];
     if ((key.x & key.y) == 0xffffffffu) {
         return;
@@ -65,7 +66,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     var state: TpState;
     //#state
     let x = f32(i32(px));
-    let y = f32(i32(py));
+    let y = f32(py);
     var color = vec4<f32>(0.0);
     //#insert DEPTH
     //#insert SHADE

@@ -19,19 +19,23 @@ fn vertex_main(in: VertexIn, base: u32) -> VertexOut { return VertexOut(in.a0, i
     Program::new(Stage::Vertex, text.into(), interface).map(Arc::new)
 }
 
-fn fragment_program() -> Result<Arc<Program>, String> {
-    let text = "struct FragmentIn { i0: vec4<f32> }
-struct FragmentOut { color: vec4<f32> }
-fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut { return FragmentOut(in.i0 * uniforms[base]); }";
+/// The colour, times a tint where draws have one.
+fn fragment_program(tinted: bool) -> Result<Arc<Program>, String> {
+    let text = format!(
+        "struct FragmentIn {{ i0: vec4<f32> }}
+struct FragmentOut {{ color: vec4<f32> }}
+fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut {{ return FragmentOut(in.i0{}); }}",
+        if tinted { " * uniforms[base]" } else { "" }
+    );
     let color = Varying { front: Output::FrontColor, back: Output::FrontColor, interpolation: interpolation::PERSPECTIVE };
     let interface = Interface { inputs: vec![Input::Varying(0)], varyings: vec![color], uniform_vec4: 1, ..Interface::default() };
-    Program::new(Stage::Fragment, text.into(), interface).map(Arc::new)
+    Program::new(Stage::Fragment, text, interface).map(Arc::new)
 }
 
 /// The batch of a scene: a clear, then its draws, each with its tint.
 pub fn batch(scene: &Scene) -> Result<Batch, String> {
     let size = scene.size;
-    let (vertex_program, fragment_program) = (vertex_program()?, fragment_program()?);
+    let (vertex_program, fragment_program) = (vertex_program()?, fragment_program(scene.draws > 1)?);
     let mut batch = Batch::default();
     for (position, color) in scene.positions.iter().zip(&scene.colors) {
         batch.vertices.extend_from_slice(position);

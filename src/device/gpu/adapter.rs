@@ -122,7 +122,7 @@ fn open() -> Result<Gpu, String> {
         let subgroup8 = features.contains(wgpu::Features::SUBGROUP) && info.subgroup_min_size == 8 && info.subgroup_max_size == 8;
         Shape { fine_lanes: 8, list_lanes: 8, subgroup8, fma64, fuses, keys64, host_front: cpu }
     } else {
-        Shape { fine_lanes: 64, list_lanes: 64, subgroup8: false, fma64, fuses, keys64, host_front: cpu }
+        Shape { fine_lanes: 32, list_lanes: 64, subgroup8: false, fma64, fuses, keys64, host_front: cpu }
     };
     // For tests of the other shapes on one machine.
     match std::env::var("TEPUI_GPU_SHAPE").as_deref() {

@@ -14,7 +14,7 @@ use super::kernels::Kernels;
 use super::params::{FEW_TRIANGLES, FrontParams, Params, SEGMENT_WORDS, Status, indirect};
 use super::profile::{Profile, StageTime};
 use super::room::Room;
-use super::stage::{CLEAR_ROWS, Stage, VISIBLE_LANES, Visible};
+use super::stage::{CLEAR_ROWS, Stage, VISIBLE_LANES, Visible, emit_lanes};
 use super::surface::stats_level;
 use super::texture::Heap;
 use super::visible;
@@ -338,7 +338,7 @@ impl Executor {
         b.mask_capacity = most;
         b.records.upload(device, queue, cast_slice(&plan.records));
         let segments = plan.segments.len() as u64 / SEGMENT_WORDS as u64;
-        b.indirect.reserve(device, (indirect::SEGMENTS as u64 + segments * 8) * 4);
+        b.indirect.reserve(device, (indirect::SEGMENTS as u64 + segments * indirect::SEGMENT_WORDS as u64) * 4);
         let mut bytes = vec![0u8; (programs.len() + plan.actions.len()) * PARAMS_STRIDE];
         let actions = plan.actions.iter().map(|(_, action)| match action {
             Action::Clear(params) => [bytes_of(params), &[]],
@@ -584,23 +584,21 @@ impl Dispatcher<'_> {
         let p = &action.params;
         let bins = p.bins[0] * p.bins[1];
         let lanes = self.kernels.config.shape.list_lanes;
-        let dispatch = indirect::SEGMENTS + p.segment * 8;
-        // Count and emit: a lane for each bin and super block.
-        let supers = |s: &mut Self, name| match action.triangles {
-            Some(_) => s.direct((bins * action.blocks.div_ceil(32)).div_ceil(lanes), name),
-            None => s.indirect(dispatch + 4, name),
+        let dispatch = indirect::SEGMENTS + p.segment * indirect::SEGMENT_WORDS;
+        let supers = bins * action.blocks.div_ceil(32);
+        let sized = |s: &mut Self, lanes_wanted: u32, word: u32, name| match action.triangles {
+            Some(_) => s.direct(lanes_wanted.div_ceil(lanes), name),
+            None => s.indirect(dispatch + word, name),
         };
         self.stage(Stage::Bin);
-        match action.triangles {
-            Some(n) => self.direct((n * if n < FEW_TRIANGLES { p.bins[1] } else { 1 }).div_ceil(lanes), "bin"),
-            None => self.indirect(dispatch, "bin"),
-        }
+        let triangles = action.triangles.unwrap_or(0);
+        sized(self, triangles * if triangles < FEW_TRIANGLES { p.bins[1] } else { 1 }, 0, "bin");
         self.stage(Stage::Count);
-        supers(self, "count");
+        sized(self, supers, 4, "count");
         self.stage(Stage::Scan);
         self.direct(1, "scan");
         self.stage(Stage::Emit);
-        supers(self, "emit");
+        sized(self, supers * emit_lanes(self.kernels.config.shape), 8, "emit");
         self.stage(Stage::Tile);
         self.indirect(indirect::TILE, "tile");
         self.stage(Stage::Active);

@@ -154,7 +154,7 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape, source: Planes) -> G
     }
     let shade = &mut glue.shade;
     if needs_w {
-        shade.push_str("let w = tp_fma(y, p5, wx);\nlet reciprocal = 1.0 / w;\n");
+        shade.push_str("let w = tp_fma(y, p5, wx);\nlet reciprocal = tp_reciprocal(w);\n");
     }
     if quad {
         shade.push_str("let qy = f32(py & ~1);\nlet qy1 = qy + 1.0;\n");

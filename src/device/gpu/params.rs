@@ -20,8 +20,10 @@ pub mod indirect {
     pub const CLIP: u32 = 16;
     /// What stopped the batch: [`super::Status`].
     pub const FAILED: u32 = 20;
-    /// For each segment 8 words: the bin stage's workgroups, and from the fifth on those of count and emit.
+    /// For each segment: the bin stage's workgroups, from the fifth word on those of count, from the ninth on those of emit.
     pub const SEGMENTS: u32 = 32;
+    /// Words of a segment.
+    pub const SEGMENT_WORDS: u32 = 12;
 }
 
 /// What the kernels say of a batch that did not fit its buffers: nothing was drawn from `action` on.

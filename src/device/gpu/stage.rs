@@ -136,7 +136,7 @@ impl Stage {
         options.flag("SMOOTH", features & front::SMOOTH != 0);
         options.flag("OFFSET", features & front::OFFSET != 0);
         options.flag("RUNS", !wide);
-        let _ = writeln!(extra, "const TP_RUN = {RUN}u;\nconst TP_SUMS = {}u;", sums_of_a_group(shape));
+        let _ = writeln!(extra, "const TP_RUN = {RUN}u;\nconst TP_SUMS = {}u;\nconst TP_EMIT_LANES = {}u;", sums_of_a_group(shape), emit_lanes(shape));
         let mut source = format!("const TP_LANES = {lanes}u;\n{extra}{constants}");
         let visible = matches!(self, Stage::Visible(..));
         for (file, wanted) in [(files::COMMON, !self.is_front()), (files::FRONT, self.is_front() || visible), (files::VISIBLE, visible)] {
@@ -169,6 +169,11 @@ pub fn group_size(shape: Shape) -> u32 {
 /// Sums that a group writes.
 pub fn sums_of_a_group(shape: Shape) -> u32 {
     if shape.list_lanes > 8 { 1 } else { shape.list_lanes }
+}
+
+/// Lanes of the emit stage for each bin and super block.
+pub fn emit_lanes(shape: Shape) -> u32 {
+    if shape.list_lanes > 8 { 32 } else { 1 }
 }
 
 /// The text of the vertex stage around a program.
