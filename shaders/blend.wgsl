@@ -1,6 +1,23 @@
 // Colour: quantised, blended or combined by a logic op, masked. Eight bits a component: unorm arithmetic, every product
 // divided by 255 and rounded on its own as llvmpipe rounds it, sums and differences saturate (src/raster/blend.rs); others: src/raster/formats.rs.
 
+//#if FLOAT_PIXELS
+// SRC_ALPHA, ONE_MINUS_SRC_ALPHA into eight bits. A product t of two components becomes (t + (t >> 8) + 128) >> 8, which is t * 257 / 65536
+// rounded to the nearest; no product of two bytes lies half way. Every intermediate value fits the 24 bits of a float, and adding 2^23 rounds.
+fn tp_merge(state: TpState, old: TpPixel, color: vec4<f32>) -> TpPixel {
+    const per_byte = 257.0 / 65536.0;
+    // tp.magic is 2^23, which no compiler knows: (x + 2^23) - 2^23 would be x to some.
+    let s = (tp_mul4(min(max(color, vec4<f32>(0.0)), vec4<f32>(1.0)), 255.0) + tp.magic) - 8388608.0;
+    let sum = fma(old, vec4<f32>((255.0 - s.w) * per_byte), fma(s, vec4<f32>(s.w * per_byte), vec4<f32>(tp.magic)));
+//#if COLOR_MASK
+    let m = vec4<bool>((state.color_mask & 1u) != 0u, (state.color_mask & 2u) != 0u, (state.color_mask & 4u) != 0u, (state.color_mask & 8u) != 0u);
+    return select(old, sum - 8388608.0, m);
+//#else
+    return sum - 8388608.0;
+//#endif
+}
+//#else
+
 //#if COLOR_8BIT
 // Adding 2^23 rounds to the nearest (even) integer and leaves it in the low bits.
 fn tp_quantise_color(c: vec4<f32>) -> vec4<u32> {
@@ -224,3 +241,4 @@ fn tp_masked(state: TpState, old: TpPixel, new_pixel: TpPixel) -> TpPixel {
 //#endif
     return n;
 }
+//#endif

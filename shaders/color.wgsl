@@ -1,5 +1,17 @@
 // Colour storage: a pixel as the fine stage holds it, and as words of the colour buffer.
 
+//#if FLOAT_PIXELS
+// Components from 0 to 255 in floats, as long as a tile is drawn: blending is then two fused operations a component.
+alias TpPixel = vec4<f32>;
+fn tp_load_pixel(at: u32) -> TpPixel {
+    let p = tp_color[at];
+    return vec4<f32>(vec4<u32>(p & 255u, (p >> 8u) & 255u, (p >> 16u) & 255u, p >> 24u));
+}
+fn tp_store_pixel(at: u32, p: TpPixel) {
+    let c = vec4<u32>(p);
+    tp_color[at] = c.x | (c.y << 8u) | (c.z << 16u) | (c.w << 24u);
+}
+//#else
 //#if COLOR_WORDS_1
 alias TpPixel = u32;
 fn tp_load_pixel(at: u32) -> TpPixel {
@@ -80,4 +92,5 @@ fn tp_unpack(p: TpPixel) -> vec4<u32> {
 fn tp_pack(c: vec4<u32>) -> TpPixel {
     return c;
 }
+//#endif
 //#endif

@@ -29,6 +29,8 @@ struct TpParams {
     clear_color: vec4<u32>,
     clear_mask: vec4<u32>,
     action: u32,
+    // 2^23.
+    magic: f32,
 }
 
 //#if VISIBLE

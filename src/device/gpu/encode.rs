@@ -173,6 +173,7 @@ impl Planner<'_> {
             top_first: self.format.top_first as u32,
             depth_max: ((1u64 << self.format.depth.bits()) - 1) as u32,
             zero: -0.0,
+            magic: 8388608.0,
             ..Params::default()
         }
     }

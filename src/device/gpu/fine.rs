@@ -148,14 +148,12 @@ impl FineKey {
             }
             BlendKey::Fixed(f, e) => {
                 options.flag("BLEND_CONSTANT", f.iter().any(|&f| f >= blend_factor::CONSTANT_COLOR));
-                let eight_bits = self.color == ColorFormat::Rgba8;
-                options.flag(
-                    "BLEND_ALPHA",
-                    eight_bits
-                        && !on(feature::MIXED)
-                        && f == [SRC_ALPHA, ONE_MINUS_SRC_ALPHA, SRC_ALPHA, ONE_MINUS_SRC_ALPHA]
-                        && e == [0; 2],
-                );
+let eight_bits = self.color == ColorFormat::Rgba8 && !on(feature::MIXED) && !on(feature::LOGIC_OP);
+                let over = f == [SRC_ALPHA, ONE_MINUS_SRC_ALPHA, SRC_ALPHA, ONE_MINUS_SRC_ALPHA] && e == [0; 2];
+                // In floats where integers are slower, two bytes at a time elsewhere. Some compilers without fused operations drop
+                // additions that only round, so that the first is not for them.
+                options.flag("FLOAT_PIXELS", eight_bits && over && shape.fuses);
+                options.flag("BLEND_ALPHA", eight_bits && over && !shape.fuses);
                 options.flag("BLEND_UNIFORM", f[0] == f[2] && f[1] == f[3] && e[0] == e[1]);
                 let _ = writeln!(extra, "const TP_BLEND_FACTORS = vec4<u32>({}u, {}u, {}u, {}u);", f[0], f[1], f[2], f[3]);
                 let _ = writeln!(extra, "const TP_BLEND_EQUATIONS = vec2<u32>({}u, {}u);", e[0], e[1]);

@@ -98,8 +98,10 @@ pub struct Params {
     pub clear_mask: [u32; 4],
     /// Number of the action, for [`Status::failed`].
     pub action: u32,
+    /// 2^23, for sums that round to integers and that no compiler may simplify.
+    pub magic: f32,
     /// Reserved, zero.
-    pub reserved: [u32; 3],
+    pub reserved: [u32; 2],
 }
 
 /// Parameters of the front end. Offsets are words of its records, unless said otherwise.
