@@ -7,7 +7,7 @@
 fn tp_merge(state: TpState, old: TpPixel, color: vec4<f32>) -> TpPixel {
     const per_byte = 257.0 / 65536.0;
     // tp.magic is 2^23, which no compiler knows: (x + 2^23) - 2^23 would be x to some.
-    let s = (tp_mul4(min(max(color, vec4<f32>(0.0)), vec4<f32>(1.0)), 255.0) + tp.magic) - 8388608.0;
+    let s = (tp_mul4(saturate(color), 255.0) + tp.magic) - 8388608.0;
     let sum = fma(old, vec4<f32>((255.0 - s.w) * per_byte), fma(s, vec4<f32>(s.w * per_byte), vec4<f32>(tp.magic)));
 //#if COLOR_MASK
     let m = vec4<bool>((state.color_mask & 1u) != 0u, (state.color_mask & 2u) != 0u, (state.color_mask & 4u) != 0u, (state.color_mask & 8u) != 0u);

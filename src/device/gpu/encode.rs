@@ -108,14 +108,14 @@ impl Plan {
         self.push(place, Action::Draw(Box::new(DrawAction { params, key: segment.finish(), draw, triangles, blocks })));
     }
 
-    fn visible(&mut self, run: Run, mut params: Params, room: &Room) {
+    fn visible(&mut self, step: usize, segment: Segment, primitives: std::ops::Range<u32>, mut params: Params, room: &Room) {
         params.action = self.actions.len() as u32;
         let front = FrontParams { top_first: params.top_first, zero: params.zero, ..FrontParams::default() };
-        let (front, words) = visible::params(room, run.primitives.clone(), front);
+        let place = Place { step, primitive: primitives.start };
+        let (front, words) = visible::params(room, primitives, front);
         self.queue_words = self.queue_words.max(words);
-        let draw = run.segment.draw;
-        let place = Place { step: run.step, primitive: run.primitives.start };
-        self.push(place, Action::Visible(Box::new(VisibleAction { params, front, key: run.segment.finish(), draw })));
+        let draw = segment.draw;
+        self.push(place, Action::Visible(Box::new(VisibleAction { params, front, key: segment.finish(), draw })));
     }
 }
 
@@ -298,8 +298,12 @@ impl Planner<'_> {
                     run.segment.key.features |= feature::PERSPECTIVE;
                     let program = &self.batch.draws[run.segment.draw as usize].fragment_program;
                     let many = run.primitives.len() as u32 >= self.visible_from;
-                    if self.shape.keys64 && many && run.filled && visible::serves(&run.segment.key, program) {
-                        plan.visible(run, base, self.room);
+                    if self.shape.keys64 && many && self.room.slice_triangles >= self.visible_from && run.filled && visible::serves(&run.segment.key, program) {
+                        let (all, most) = (run.primitives.clone(), self.room.slice_triangles.max(1));
+                        for first in all.clone().step_by(most as usize) {
+                            let primitives = first..all.end.min(first.saturating_add(most));
+                            plan.visible(run.step, run.segment.clone(), primitives, base, self.room);
+                        }
                     } else {
                         slices.add(&mut plan, run);
                     }

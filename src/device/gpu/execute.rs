@@ -142,7 +142,7 @@ impl Executor {
             buffers,
             size,
             format,
-            room: Room::new(kernels.config.buffer_limit),
+            room: Room::new(kernels.config.buffer_limit, bins_of(size)),
             kernels,
             heap: Heap::new(device),
             fills: [Fill::new(device), Fill::new(device)],
@@ -164,8 +164,7 @@ impl Executor {
             let Some(status) = self.status() else { return };
             let Some(&place) = places.get((status.failed as usize).wrapping_sub(1)) else { return };
             log::debug!(target: "tepui::gpu", "a batch did not fit: {status:?}; the rest is drawn with more room or in smaller pieces");
-            let bins: u32 = self.size.map(|s| s.div_ceil(BIN_SIZE)).iter().product();
-            if !self.room.learn(&status, bins) {
+            if !self.room.learn(&status, bins_of(self.size)) {
                 log::error!(target: "tepui::gpu", "a batch does not fit the GPU's buffers even in the smallest pieces; the rest of it is not drawn: {status:?}");
                 return;
             }
@@ -469,6 +468,11 @@ fn keys(gpu: &Gpu, size: [u32; 2]) -> wgpu::Buffer {
     let buffer = create(&gpu.device, "keys", wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST, bytes as u64);
     gpu.queue.write_buffer(&buffer, 0, &vec![0xff; bytes]);
     buffer
+}
+
+/// Bins of a surface.
+fn bins_of(size: [u32; 2]) -> u32 {
+    size.map(|s| s.div_ceil(BIN_SIZE)).iter().product()
 }
 
 /// The steps from a place on.

@@ -24,23 +24,23 @@ pub struct Room {
 }
 
 impl Room {
-    /// For buffers of at most so many bytes.
-    pub fn new(bytes: u64) -> Room {
+    /// For buffers of at most so many bytes, but of enough for 32 triangles, however large and however clipped, on so many bins.
+    pub fn new(bytes: u64, bins: u32) -> Room {
         let words = |each: u64| (bytes / each).min(1 << 28) as u32;
         let most = Status {
             triangles: words(size_of::<Triangle>() as u64),
             planes: words(16),
-            pool: words(64),
-            clipped: words(32),
-            items: words(48),
+            pool: words(64).max(1 << 14),
+            clipped: words(32).max(1 << 10),
+            items: words(48).max(bins.saturating_mul(128)),
             // Masks and counts share the buffer.
-            list_blocks: words(LIST_BLOCK_BYTES + LIST_BLOCK_BYTES / 2),
+            list_blocks: words(LIST_BLOCK_BYTES + LIST_BLOCK_BYTES / 2).max(bins),
             ..Status::default()
         };
         let mut room = Room {
             slice_triangles: 0,
             slice_planes: 0,
-            most_list_blocks: most.list_blocks.max(1),
+            most_list_blocks: most.list_blocks,
             most_segment_triangles: u32::MAX,
             most,
             least: Status { pool: 1 << 14, clipped: 1 << 10, list_blocks: 1 << 10, ..Status::default() },
