@@ -25,6 +25,8 @@ pub trait Simd: Copy + 'static {
     fn fma(a: Self::F, b: Self::F, c: Self::F) -> Self::F;
     /// Clamp to low..=high; NaN becomes low.
     fn clamp(a: Self::F, low: Self::F, high: Self::F) -> Self::F;
+    /// The smaller of a and high; NaN stays.
+    fn at_most(a: Self::F, high: Self::F) -> Self::F;
     /// To the nearest integer, ties to even; out of range: i32::MIN.
     fn round(a: Self::F) -> Self::I;
     fn to_f(a: Self::I) -> Self::F;
@@ -33,6 +35,8 @@ pub trait Simd: Copy + 'static {
     fn from_bits(a: Self::I) -> Self::F;
     fn iadd(a: Self::I, b: Self::I) -> Self::I;
     fn isub(a: Self::I, b: Self::I) -> Self::I;
+    /// Product, low half.
+    fn imul(a: Self::I, b: Self::I) -> Self::I;
     fn and(a: Self::I, b: Self::I) -> Self::I;
     fn or(a: Self::I, b: Self::I) -> Self::I;
     fn xor(a: Self::I, b: Self::I) -> Self::I;
@@ -43,6 +47,10 @@ pub trait Simd: Copy + 'static {
     fn shl<const N: i32>(a: Self::I) -> Self::I;
     /// Logical shift right.
     fn shr<const N: i32>(a: Self::I) -> Self::I;
+    /// Arithmetic shift right.
+    fn sar<const N: i32>(a: Self::I) -> Self::I;
+    /// Lane k is lane `from[k]`.
+    fn permute(a: Self::I, from: &[u8; 8]) -> Self::I;
     /// mask ? a : b
     fn select(mask: Self::I, a: Self::I, b: Self::I) -> Self::I;
     /// Bit k: the sign of lane k.
@@ -59,26 +67,48 @@ pub trait Simd: Copy + 'static {
     fn min16(a: Self::I, b: Self::I) -> Self::I;
     /// 16-bit halves: maximum, as signed numbers.
     fn max16(a: Self::I, b: Self::I) -> Self::I;
-    /// The lanes whose bit is set, moved to the front in their order; the others are anything.
-    fn compress(a: Self::F, bits: u32) -> Self::F;
-    /// The inverse: the first lanes spread to those whose bit is set.
-    fn expand(a: Self::F, bits: u32) -> Self::F;
+    /// Four components of a pixel to a byte each, the first lowest; below 0 becomes 0, above 255 becomes 255.
+    fn bytes(c: [Self::I; 4]) -> Self::I;
+    /// A mask of the lanes whose bit is set.
+    fn mask(bits: u32) -> Self::I;
+    /// Four planes (a0, d/dx, d/dy) at places of a row: fma(y, dy, fma(x, dx, a0)).
+    fn planes(planes: &[[f32; 4]; 3], x: &[f32], y: f32, to: &mut [[f32; 4]]);
+    /// Eight rows of four to four columns of eight.
+    fn columns(rows: &[[f32; 4]; 8]) -> [Self::F; 4];
+    /// The first lanes spread, in their order, to those whose bit is set; the others are anything.
+    fn expand(a: Self::I, bits: u32) -> Self::I;
 }
 
-/// For each mask of eight: which lane comes to which place, when lanes are compressed (0) and expanded (1).
-static MOVES: [[[u8; 8]; 256]; 2] = moves();
+/// For each mask of eight: which lane comes to which place, when lanes are expanded.
+static MOVES: [[u8; 8]; 256] = moves();
 
-const fn moves() -> [[[u8; 8]; 256]; 2] {
-    let mut table = [[[0; 8]; 256]; 2];
+const fn moves() -> [[u8; 8]; 256] {
+    let mut table = [[0; 8]; 256];
     let mut bits = 0;
     while bits < 256 {
         let (mut lane, mut at) = (0, 0);
         while lane < 8 {
             if bits >> lane & 1 != 0 {
-                table[0][bits][at] = lane as u8;
-                table[1][bits][lane] = at as u8;
+                table[bits][lane] = at as u8;
                 at += 1;
             }
+            lane += 1;
+        }
+        bits += 1;
+    }
+    table
+}
+
+/// For each mask of eight: a byte a lane, all ones where the lane's bit is set.
+static MASKS: [[i8; 8]; 256] = masks();
+
+const fn masks() -> [[i8; 8]; 256] {
+    let mut table = [[0; 8]; 256];
+    let mut bits = 0;
+    while bits < 256 {
+        let mut lane = 0;
+        while lane < 8 {
+            table[bits][lane] = -((bits >> lane & 1) as i8);
             lane += 1;
         }
         bits += 1;
@@ -168,6 +198,10 @@ impl Simd for Portable {
         zip(zip(a, low, |a, l| if a > l { a } else { l }), high, |a, h| if a < h { a } else { h })
     }
     #[inline(always)]
+    fn at_most(a: Self::F, high: Self::F) -> Self::F {
+        zip(a, high, |a, h| if h < a { h } else { a })
+    }
+    #[inline(always)]
     fn round(a: Self::F) -> Self::I {
         map(a, |x| {
             let r = x.round_ties_even();
@@ -197,6 +231,10 @@ impl Simd for Portable {
     #[inline(always)]
     fn isub(a: Self::I, b: Self::I) -> Self::I {
         zip(a, b, i32::wrapping_sub)
+    }
+    #[inline(always)]
+    fn imul(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, i32::wrapping_mul)
     }
     #[inline(always)]
     fn and(a: Self::I, b: Self::I) -> Self::I {
@@ -229,6 +267,14 @@ impl Simd for Portable {
     #[inline(always)]
     fn shr<const N: i32>(a: Self::I) -> Self::I {
         map(a, |x| (x as u32 >> N) as i32)
+    }
+    #[inline(always)]
+    fn sar<const N: i32>(a: Self::I) -> Self::I {
+        map(a, |x| x >> N)
+    }
+    #[inline(always)]
+    fn permute(a: Self::I, from: &[u8; 8]) -> Self::I {
+        map(*from, |from| a[from as usize & 7])
     }
     #[inline(always)]
     fn select(mask: Self::I, a: Self::I, b: Self::I) -> Self::I {
@@ -271,12 +317,40 @@ impl Simd for Portable {
         zip(a, b, |a, b| halves(a, b, |x, y| (x as i16).max(y as i16) as u16))
     }
     #[inline(always)]
-    fn compress(a: Self::F, bits: u32) -> Self::F {
-        map(MOVES[0][bits as usize & 255], |from| a[from as usize])
+    fn bytes(c: [Self::I; 4]) -> Self::I {
+        let mut r = [0; 8];
+        for k in 0..8 {
+            for (byte, lanes) in c.iter().enumerate() {
+                r[k] |= lanes[k].clamp(0, 255) << (8 * byte);
+            }
+        }
+        r
     }
     #[inline(always)]
-    fn expand(a: Self::F, bits: u32) -> Self::F {
-        map(MOVES[1][bits as usize & 255], |from| a[from as usize])
+    fn mask(bits: u32) -> Self::I {
+        map(MASKS[bits as usize & 255], i32::from)
+    }
+    #[inline(always)]
+    fn planes(planes: &[[f32; 4]; 3], x: &[f32], y: f32, to: &mut [[f32; 4]]) {
+        for (to, x) in to.iter_mut().zip(x) {
+            for c in 0..4 {
+                to[c] = y.mul_add(planes[2][c], x.mul_add(planes[1][c], planes[0][c]));
+            }
+        }
+    }
+    #[inline(always)]
+    fn columns(rows: &[[f32; 4]; 8]) -> [Self::F; 4] {
+        let mut r = [[0.0; 8]; 4];
+        for (k, row) in rows.iter().enumerate() {
+            for c in 0..4 {
+                r[c][k] = row[c];
+            }
+        }
+        r
+    }
+    #[inline(always)]
+    fn expand(a: Self::I, bits: u32) -> Self::I {
+        Self::permute(a, &MOVES[bits as usize & 255])
     }
 }
 
@@ -309,6 +383,35 @@ unsafe fn permute(a: std::arch::x86_64::__m256, from: &[u8; 8]) -> std::arch::x8
     unsafe { _mm256_permutevar8x32_ps(a, _mm256_cvtepu8_epi32(_mm_loadl_epi64(from.as_ptr().cast()))) }
 }
 
+/// By the signs of the mask, a or b: the instruction itself. The intrinsic is a comparison and a selection to the compiler, which
+/// makes masked stores of selections that are stored (they take ten times as long on some processors) and keeps masks as bits that
+/// it packs and unpacks from branch to branch.
+///
+/// # Safety
+/// The machine has AVX2.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+#[inline]
+unsafe fn select(
+    mask: std::arch::x86_64::__m256i,
+    a: std::arch::x86_64::__m256i,
+    b: std::arch::x86_64::__m256i,
+) -> std::arch::x86_64::__m256i {
+    let result;
+    // SAFETY: registers to a register.
+    unsafe {
+        std::arch::asm!(
+            "vblendvps {result}, {b}, {a}, {mask}",
+            result = lateout(ymm_reg) result,
+            a = in(ymm_reg) a,
+            b = in(ymm_reg) b,
+            mask = in(ymm_reg) mask,
+            options(pure, nomem, nostack, preserves_flags)
+        );
+    }
+    result
+}
+
 #[cfg(target_arch = "x86_64")]
 impl Simd for Avx2 {
     type F = std::arch::x86_64::__m256;
@@ -329,6 +432,7 @@ impl Simd for Avx2 {
     op!(clamp(a: Self::F, low: Self::F, high: Self::F) -> Self::F, {
         std::arch::x86_64::_mm256_min_ps(std::arch::x86_64::_mm256_max_ps(a, low), high)
     });
+    op!(at_most(a: Self::F, high: Self::F) -> Self::F, std::arch::x86_64::_mm256_min_ps(high, a));
     op!(round(a: Self::F) -> Self::I, std::arch::x86_64::_mm256_cvtps_epi32(a));
     op!(to_f(a: Self::I) -> Self::F, std::arch::x86_64::_mm256_cvtepi32_ps(a));
     op!(lt(a: Self::F, b: Self::F) -> Self::I, {
@@ -338,6 +442,10 @@ impl Simd for Avx2 {
     op!(from_bits(a: Self::I) -> Self::F, std::arch::x86_64::_mm256_castsi256_ps(a));
     op!(iadd(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_add_epi32(a, b));
     op!(isub(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_sub_epi32(a, b));
+    op!(imul(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_mullo_epi32(a, b));
+    op!(permute(a: Self::I, from: &[u8; 8]) -> Self::I, {
+        std::arch::x86_64::_mm256_castps_si256(permute(std::arch::x86_64::_mm256_castsi256_ps(a), from))
+    });
     op!(and(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_and_si256(a, b));
     op!(or(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_or_si256(a, b));
     op!(xor(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_xor_si256(a, b));
@@ -354,9 +462,13 @@ impl Simd for Avx2 {
         // SAFETY: see `op!`.
         unsafe { std::arch::x86_64::_mm256_srli_epi32::<N>(a) }
     }
+    #[inline(always)]
+    fn sar<const N: i32>(a: Self::I) -> Self::I {
+        // SAFETY: see `op!`.
+        unsafe { std::arch::x86_64::_mm256_srai_epi32::<N>(a) }
+    }
     op!(select(mask: Self::I, a: Self::I, b: Self::I) -> Self::I, {
-        use std::arch::x86_64::*;
-        _mm256_castps_si256(_mm256_blendv_ps(_mm256_castsi256_ps(b), _mm256_castsi256_ps(a), _mm256_castsi256_ps(mask)))
+        select(mask, a, b)
     });
     op!(signs(a: Self::I) -> u32, {
         std::arch::x86_64::_mm256_movemask_ps(std::arch::x86_64::_mm256_castsi256_ps(a)) as u32
@@ -369,9 +481,46 @@ impl Simd for Avx2 {
         // SAFETY: see `op!`.
         unsafe { std::arch::x86_64::_mm256_srli_epi16::<N>(a) }
     }
+    op!(bytes(c: [Self::I; 4]) -> Self::I, {
+        use std::arch::x86_64::*;
+        // Packs work within each half of the register: four bytes of each component, which the shuffle deals out to the pixels.
+        let four = _mm256_packus_epi16(_mm256_packs_epi32(c[0], c[1]), _mm256_packs_epi32(c[2], c[3]));
+        let deal = _mm_setr_epi8(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+        _mm256_shuffle_epi8(four, _mm256_broadcastsi128_si256(deal))
+    });
+    op!(mask(bits: u32) -> Self::I, {
+        std::arch::x86_64::_mm256_cvtepi8_epi32(std::arch::x86_64::_mm_loadl_epi64(MASKS[bits as usize & 255].as_ptr().cast()))
+    });
     op!(min16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_min_epi16(a, b));
-    op!(compress(a: Self::F, bits: u32) -> Self::F, permute(a, &MOVES[0][bits as usize & 255]));
-    op!(expand(a: Self::F, bits: u32) -> Self::F, permute(a, &MOVES[1][bits as usize & 255]));
+    op!(planes(planes: &[[f32; 4]; 3], x: &[f32], y: f32, to: &mut [[f32; 4]]) -> (), {
+        use std::arch::x86_64::*;
+        let [a, dx, dy] = [_mm_loadu_ps(planes[0].as_ptr()), _mm_loadu_ps(planes[1].as_ptr()), _mm_loadu_ps(planes[2].as_ptr())];
+        let y = _mm_set1_ps(y);
+        for (to, x) in to.iter_mut().zip(x) {
+            _mm_storeu_ps(to.as_mut_ptr(), _mm_fmadd_ps(y, dy, _mm_fmadd_ps(_mm_set1_ps(*x), dx, a)));
+        }
+    });
+    op!(columns(rows: &[[f32; 4]; 8]) -> [Self::F; 4], {
+        use std::arch::x86_64::*;
+        let [a, b, c, d] = [
+            _mm256_loadu2_m128(rows[4].as_ptr(), rows[0].as_ptr()),
+            _mm256_loadu2_m128(rows[5].as_ptr(), rows[1].as_ptr()),
+            _mm256_loadu2_m128(rows[6].as_ptr(), rows[2].as_ptr()),
+            _mm256_loadu2_m128(rows[7].as_ptr(), rows[3].as_ptr()),
+        ];
+        let (ab, cd) = (_mm256_unpacklo_ps(a, b), _mm256_unpacklo_ps(c, d));
+        let (ab_high, cd_high) = (_mm256_unpackhi_ps(a, b), _mm256_unpackhi_ps(c, d));
+        [
+            _mm256_shuffle_ps::<0x44>(ab, cd),
+            _mm256_shuffle_ps::<0xee>(ab, cd),
+            _mm256_shuffle_ps::<0x44>(ab_high, cd_high),
+            _mm256_shuffle_ps::<0xee>(ab_high, cd_high),
+        ]
+    });
+    #[inline(always)]
+    fn expand(a: Self::I, bits: u32) -> Self::I {
+        Self::permute(a, &MOVES[bits as usize & 255])
+    }
     op!(max16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_max_epi16(a, b));
 }
 
@@ -404,6 +553,18 @@ impl Level {
             _ => Level::best(),
         }
     }
+}
+
+/// Asks for the memory of a record that will be read soon.
+#[inline(always)]
+pub fn prefetch<T>(record: &T) {
+    #[cfg(target_arch = "x86_64")]
+    // SAFETY: SSE is part of x86-64, and a prefetch reads nothing.
+    unsafe {
+        std::arch::x86_64::_mm_prefetch::<{ std::arch::x86_64::_MM_HINT_T0 }>(std::ptr::from_ref(record).cast());
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = record;
 }
 
 /// Makes `fn name(level, args...)` of a generic `fn kernel<S: Simd>(args...)`, instantiated once a level.
