@@ -11,6 +11,8 @@ use crate::program::lanes::{Column4, GROUPS, LANES};
 
 /// Fragments in a queue.
 const FRAGMENTS: usize = LANES * GROUPS;
+/// The same, with room for a row that begins at the last one.
+const ROOM: usize = FRAGMENTS + LANES;
 /// Places where a varying may be wanted: the fragment, the three points of its quad, and nowhere, for what does not vary. A power of
 /// two, so that an index needs no check.
 const PLACES: usize = 8;
@@ -33,13 +35,13 @@ struct Source {
 pub struct Interpolator {
     sources: Vec<Source>,
     /// Of each source, the fragments' values.
-    values: Vec<[[f32; 4]; FRAGMENTS]>,
+    values: Vec<[[f32; 4]; ROOM]>,
     /// Pixels of the fragments.
     pixel: [[u32; FRAGMENTS]; 2],
     /// Their triangles' planes of 1/w: a0, d/dx, d/dy; 1, 0, 0 where there is no perspective.
     inv_w: [[f32; FRAGMENTS]; 3],
     /// x and y of the places. What is added nowhere, 0 times -0, is -0, which leaves everything as it is.
-    at: [[[f32; FRAGMENTS]; 2]; PLACES],
+    at: [[[f32; ROOM]; 2]; PLACES],
 }
 
 impl Default for Interpolator {
@@ -49,7 +51,7 @@ impl Default for Interpolator {
             values: Vec::new(),
             pixel: [[0; FRAGMENTS]; 2],
             inv_w: [[0.0; FRAGMENTS]; 3],
-            at: [[[-0.0; FRAGMENTS]; 2]; PLACES],
+            at: [[[-0.0; ROOM]; 2]; PLACES],
         }
     }
 }
@@ -69,7 +71,7 @@ impl Interpolator {
             self.sources.push(Source { input, planes, place, perspective });
         }
         if self.values.len() < self.sources.len() {
-            self.values.resize(self.sources.len(), [[0.0; 4]; FRAGMENTS]);
+            self.values.resize(self.sources.len(), [[0.0; 4]; ROOM]);
         }
     }
 
@@ -90,13 +92,13 @@ impl Interpolator {
         }
         let groups = count.div_ceil(LANES);
         for group in 0..groups {
-            let (x, y) = (S::load_u(eight(&self.pixel[0], group)), S::load_u(eight(&self.pixel[1], group)));
+            let (x, y) = (S::load_u(eight(&self.pixel[0], group * LANES)), S::load_u(eight(&self.pixel[1], group * LANES)));
             let (even_x, even_y, one) = (S::and(x, S::i(!1)), S::and(y, S::i(!1)), S::i(1));
             let at = [[x, y], [even_x, even_y], [S::or(even_x, one), even_y], [even_x, S::or(even_y, one)]];
             for place in 0..at.len() {
                 if places >> place & 1 != 0 {
-                    S::store(S::to_f(at[place][0]), eight_mut(&mut self.at[place][0], group));
-                    S::store(S::to_f(at[place][1]), eight_mut(&mut self.at[place][1], group));
+                    S::store(S::to_f(at[place][0]), eight_mut(&mut self.at[place][0], group * LANES));
+                    S::store(S::to_f(at[place][1]), eight_mut(&mut self.at[place][1], group * LANES));
                 }
             }
         }
@@ -105,8 +107,9 @@ impl Interpolator {
             for (row, planes) in rows.iter().zip(&planes_of) {
                 let p: &[[f32; 4]; 3] = planes[source.planes..][..3].try_into().expect("three");
                 // A row's fragments have one y, and so have the places of a quad.
-                let (start, end) = (row.start as usize, row.end as usize);
-                S::planes(p, &x[start..end], y[start % FRAGMENTS], &mut values[start..end]);
+                let start = row.start as usize % FRAGMENTS;
+                let (x, y) = (eight(x, start), y[start]);
+                S::planes(p, x, y, (row.end - row.start) as usize, eight_mut(values, start));
             }
         }
         for group in 0..groups {
@@ -115,14 +118,15 @@ impl Interpolator {
             for place in 0..NOWHERE {
                 if places >> place & 1 != 0 {
                     let [a0, dx, dy] = &self.inv_w;
-                    let (a0, dx, dy) = (S::load(eight(a0, group)), S::load(eight(dx, group)), S::load(eight(dy, group)));
+                    let (a0, dx, dy) =
+                        (S::load(eight(a0, group * LANES)), S::load(eight(dx, group * LANES)), S::load(eight(dy, group * LANES)));
                     let [x, y] = &self.at[place];
-                    let w = S::fma(S::load(eight(y, group)), dy, S::fma(S::load(eight(x, group)), dx, a0));
+                    let w = S::fma(S::load(eight(y, group * LANES)), dy, S::fma(S::load(eight(x, group * LANES)), dx, a0));
                     reciprocal[place] = S::div(S::f(1.0), w);
                 }
             }
             for (source, values) in self.sources.iter().zip(&self.values) {
-                let mut value = S::columns(eight(values, group));
+                let mut value = S::columns(eight(values, group * LANES));
                 if source.perspective {
                     let reciprocal = reciprocal[source.place % PLACES];
                     for component in &mut value {
@@ -179,14 +183,14 @@ fn each_fragment(row: &Row, mut f: impl FnMut(usize, u32)) {
     }
 }
 
-/// Group `group` of a column, to write.
+/// Eight values of a column.
 #[inline(always)]
-fn eight_mut(column: &mut [f32; FRAGMENTS], group: usize) -> &mut [f32; LANES] {
-    (&mut column[group * LANES..][..LANES]).try_into().expect("eight")
+fn eight<T>(column: &[T], first: usize) -> &[T; LANES] {
+    column[first..][..LANES].try_into().expect("eight")
 }
 
-/// Group `group` of a column.
+/// Eight values of a column, to write.
 #[inline(always)]
-fn eight<T>(column: &[T; FRAGMENTS], group: usize) -> &[T; LANES] {
-    column[group * LANES..][..LANES].try_into().expect("eight")
+fn eight_mut<T>(column: &mut [T], first: usize) -> &mut [T; LANES] {
+    (&mut column[first..][..LANES]).try_into().expect("eight")
 }

@@ -71,8 +71,8 @@ pub trait Simd: Copy + 'static {
     fn bytes(c: [Self::I; 4]) -> Self::I;
     /// A mask of the lanes whose bit is set.
     fn mask(bits: u32) -> Self::I;
-    /// Four planes (a0, d/dx, d/dy) at places of a row: fma(y, dy, fma(x, dx, a0)).
-    fn planes(planes: &[[f32; 4]; 3], x: &[f32], y: f32, to: &mut [[f32; 4]]);
+    /// Four planes (a0, d/dx, d/dy) at `count` places of a row: fma(y, dy, fma(x, dx, a0)). What follows them is anything.
+    fn planes(planes: &[[f32; 4]; 3], x: &[f32; 8], y: f32, count: usize, to: &mut [[f32; 4]; 8]);
     /// Eight rows of four to four columns of eight.
     fn columns(rows: &[[f32; 4]; 8]) -> [Self::F; 4];
     /// The first lanes spread, in their order, to those whose bit is set; the others are anything.
@@ -331,8 +331,8 @@ impl Simd for Portable {
         map(MASKS[bits as usize & 255], i32::from)
     }
     #[inline(always)]
-    fn planes(planes: &[[f32; 4]; 3], x: &[f32], y: f32, to: &mut [[f32; 4]]) {
-        for (to, x) in to.iter_mut().zip(x) {
+    fn planes(planes: &[[f32; 4]; 3], x: &[f32; 8], y: f32, count: usize, to: &mut [[f32; 4]; 8]) {
+        for (to, x) in to.iter_mut().zip(x).take(count) {
             for c in 0..4 {
                 to[c] = y.mul_add(planes[2][c], x.mul_add(planes[1][c], planes[0][c]));
             }
@@ -492,12 +492,18 @@ impl Simd for Avx2 {
         std::arch::x86_64::_mm256_cvtepi8_epi32(std::arch::x86_64::_mm_loadl_epi64(MASKS[bits as usize & 255].as_ptr().cast()))
     });
     op!(min16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_min_epi16(a, b));
-    op!(planes(planes: &[[f32; 4]; 3], x: &[f32], y: f32, to: &mut [[f32; 4]]) -> (), {
+    op!(planes(planes: &[[f32; 4]; 3], x: &[f32; 8], y: f32, count: usize, to: &mut [[f32; 4]; 8]) -> (), {
         use std::arch::x86_64::*;
-        let [a, dx, dy] = [_mm_loadu_ps(planes[0].as_ptr()), _mm_loadu_ps(planes[1].as_ptr()), _mm_loadu_ps(planes[2].as_ptr())];
-        let y = _mm_set1_ps(y);
-        for (to, x) in to.iter_mut().zip(x) {
-            _mm_storeu_ps(to.as_mut_ptr(), _mm_fmadd_ps(y, dy, _mm_fmadd_ps(_mm_set1_ps(*x), dx, a)));
+        let (a, dx, dy) = (_mm_loadu_ps(planes[0].as_ptr()), _mm_loadu_ps(planes[1].as_ptr()), _mm_loadu_ps(planes[2].as_ptr()));
+        let (a, dx, dy) = (_mm256_set_m128(a, a), _mm256_set_m128(dx, dx), _mm256_set_m128(dy, dy));
+        let y = _mm256_set1_ps(y);
+        // Two places at a time.
+        for k in 0..4 {
+            if 2 * k >= count {
+                break;
+            }
+            let x = _mm256_blend_ps::<0xf0>(_mm256_set1_ps(x[2 * k]), _mm256_set1_ps(x[2 * k + 1]));
+            _mm256_storeu_ps(to[2 * k..2 * k + 2].as_mut_ptr().cast(), _mm256_fmadd_ps(y, dy, _mm256_fmadd_ps(x, dx, a)));
         }
     });
     op!(columns(rows: &[[f32; 4]; 8]) -> [Self::F; 4], {
