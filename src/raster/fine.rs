@@ -1,5 +1,5 @@
 //! Fine stage: a bin's work in order: for each triangle its coverage tile by tile, then row by row of eight pixels
-//! the depth and stencil test, the colour and the write.
+//! the depth and stencil test, the colour and the write ([`super::write`]).
 //!
 //! Fragments of programs wait in a queue, packed lane by lane, so that one run of the lane executor serves many small
 //! triangles; a queue is written out in the order in which it was filled, and before anything else is drawn.
@@ -10,6 +10,7 @@ use super::setup::Chunk;
 use super::simd::{Simd, prefetch};
 use super::store::BinPixels;
 use super::tile::{FULL, LocalEdges, rectangle_mask};
+use super::write::{Color, is_bytes, write};
 use super::{blend, clear, depth_stencil, fast, modulate};
 use crate::device::{ColorFormat, SurfaceFormat};
 use crate::draw::texture::{TextureBinding, TextureKind};
@@ -61,8 +62,10 @@ pub struct Plan<'a> {
     pub depth_scale: f32,
     /// What depth is clamped to.
     pub depth_range: [f32; 2],
-    constant: (i32, i32),
-    write_mask: u32,
+    /// The blend colour, as pairs.
+    pub constant: (i32, i32),
+    /// Bits of a packed pixel that are written.
+    pub write_mask: u32,
     /// Which routine of [`super::fast`] serves the draw: `fast::*`.
     pub fast: u32,
     /// Added to the stored depth before "less": 1 for LEQUAL.
@@ -503,77 +506,4 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
         }
         write::<S>(plan, scene.format, bin, pixel, row.front, z, mask, color);
     }
-}
-
-/// Eight colours, in the form that the format wants.
-struct Color<S: Simd> {
-    /// Where [`is_bytes`] holds.
-    bytes: S::I,
-    /// Where it does not.
-    columns: [S::F; 4],
-}
-
-/// A colour is four bytes, and blended as such.
-fn is_bytes(format: SurfaceFormat) -> bool {
-    matches!(format.color, ColorFormat::Rgba8 | ColorFormat::Rgbx8)
-}
-
-/// The operations after the colour is known.
-#[inline(always)]
-#[allow(clippy::too_many_arguments)]
-fn write<S: Simd>(
-    plan: &Plan,
-    format: SurfaceFormat,
-    bin: &mut BinPixels,
-    pixel: usize,
-    front: bool,
-    z: S::I,
-    mut mask: S::I,
-    color: Color<S>,
-) {
-    let state = plan.state;
-    if state.flags & fragment_flags::ALPHA_TEST != 0 {
-        // In the precision of the colour buffer.
-        let alpha = if is_bytes(format) { S::shr::<24>(color.bytes) } else { blend::quantize::<S>(color.columns[3]) };
-        let reference = blend::quantize::<S>(S::f(state.alpha_ref));
-        mask = S::and(mask, depth_stencil::compare_lanes::<S>(state.alpha_func, alpha, reference));
-    }
-    if !plan.early && plan.tests {
-        mask = depth_stencil::test::<S>(state, front, z, mask, row8(bin.depth_stencil, pixel));
-    }
-    if S::signs(mask) == 0 || plan.write_mask == 0 {
-        return;
-    }
-    if is_bytes(format) {
-        return write_bytes::<S>(plan, format, bin, pixel, mask, color.bytes);
-    }
-    let mut columns = [[0.0; 8]; 4];
-    for c in 0..4 {
-        S::store(color.columns[c], &mut columns[c]);
-    }
-    super::formats::write(state, format.color, bin.color, pixel, S::signs(mask), &columns);
-}
-
-/// Blends and writes colours of four bytes.
-#[inline(always)]
-fn write_bytes<S: Simd>(plan: &Plan, format: SurfaceFormat, bin: &mut BinPixels, pixel: usize, mask: S::I, color: S::I) {
-    let state = plan.state;
-    let pixels = row8(bin.color, pixel);
-    let old = S::load_u(pixels);
-    let opaque = S::i(0xff00_0000u32 as i32);
-    let mut new = color;
-    if state.flags & fragment_flags::BLEND != 0 {
-        let d = if format.color == ColorFormat::Rgbx8 { S::or(old, opaque) } else { old };
-        new = blend::pack::<S>(blend::blend::<S>(state, plan.constant, blend::unpack::<S>(color), blend::unpack::<S>(d)));
-    } else if state.flags & fragment_flags::LOGIC_OP != 0 {
-        new = blend::logic_op::<S>(state.logic_op, color, old);
-    }
-    if format.color == ColorFormat::Rgbx8 {
-        new = S::or(new, opaque);
-    }
-    if plan.write_mask != !0 {
-        let m = S::i(plan.write_mask as i32);
-        new = S::or(S::and(new, m), S::andnot(m, old));
-    }
-    S::store_u(S::select(mask, new, old), pixels);
 }

@@ -17,12 +17,15 @@ mod modulate;
 mod point_line;
 pub mod setup;
 pub mod simd;
+#[cfg(target_arch = "x86_64")]
+mod simd_avx2;
 pub mod store;
 pub mod texture;
 #[cfg(target_arch = "x86_64")]
 mod texture_wide;
 pub mod tile;
 pub mod vertex;
+mod write;
 
 #[cfg(test)]
 mod tests;
