@@ -9,19 +9,22 @@ use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
 
-use super::{Device, Pixels, Surface, SurfaceFormat, cpu_stats};
-use crate::draw::{Batch, Step};
+use super::{Device, Pixels, Surface, SurfaceFormat, cpu_stats, lines};
+use crate::draw::{Batch, Step, recycle};
 use crate::raster::fine::{Plan, Scene, Work, Worker, run_bin};
-use crate::raster::layout::raster_flags;
+use crate::raster::layout::{BIN_SIZE, raster_flags};
 use crate::raster::setup::{Chunk, SetupInput};
 use crate::raster::simd::Level;
 use crate::raster::store::Store;
 use crate::raster::vertex::{self, ScreenVertex, VertexWorker, place};
 
-/// Primitives in a run.
-const CHUNK: u32 = 2048;
+/// Most and fewest primitives in a run.
+const CHUNK: [u32; 2] = [2048, 128];
 /// Below this many vertices and primitives the calling thread does the work alone.
 const WORTH_SHARING: u64 = 4096;
+
+/// Below this many bytes the calling thread copies alone.
+const WORTH_SHARING_COPY: usize = 1 << 18;
 
 thread_local! {
     // A worker's memory stays with its thread. No stage runs inside another, so that a borrow is never taken twice.
@@ -155,6 +158,7 @@ impl Surface for CpuSurface {
         let work = batch.shaded_vec4 as u64 + batch.primitives.len() as u64 + bin_pixels / 64;
         let pool = if work > WORTH_SHARING { self.shared.pool() } else { None };
         run(&batch, &mut self.store, &mut self.scratch, self.shared.level, pool);
+        recycle(batch);
     }
 
     fn pixels(&mut self) -> &Pixels {
@@ -171,6 +175,22 @@ impl Surface for CpuSurface {
         &self.pixels
     }
 
+    fn copy_color(&mut self, out: &mut [u8], stride: usize, bottom_up: bool) {
+        if std::mem::take(&mut self.pixels_newer) {
+            self.store.write(&self.pixels);
+        }
+        let store = &self.store;
+        let mut lines = lines(out, stride, store.size[1] as usize, bottom_up);
+        let band = |(k, lines): (usize, &mut [&mut [u8]])| store.copy_band(k as u32, lines);
+        // A band is a row of bins.
+        match self.shared.pool() {
+            Some(pool) if lines.len() * stride >= WORTH_SHARING_COPY => {
+                pool.install(|| lines.par_chunks_mut(BIN_SIZE as usize).enumerate().for_each(band));
+            }
+            _ => lines.chunks_mut(BIN_SIZE as usize).enumerate().for_each(band),
+        }
+    }
+
     fn pixels_mut(&mut self) -> &mut Pixels {
         self.pixels();
         self.pixels_newer = true;
@@ -183,10 +203,8 @@ fn shade(batch: &Batch, scratch: &mut Scratch, pool: Option<&rayon::ThreadPool>)
     let (bases, blocks) = vertex::blocks(batch, &mut scratch.shaded, &mut scratch.screen);
     match pool {
         Some(pool) if blocks.len() > 4 => pool.install(|| {
-            blocks
-                .into_par_iter()
-                .with_min_len(4)
-                .for_each_init(VertexWorker::default, |w, block| w.block(batch, block))
+            let shade = |block| VERTEX.with_borrow_mut(|w| w.block(batch, block));
+            blocks.into_par_iter().with_min_len(4).with_max_len(16).for_each(shade);
         }),
         _ => VERTEX.with_borrow_mut(|w| blocks.into_iter().for_each(|block| w.block(batch, block))),
     }
@@ -201,10 +219,13 @@ fn run(batch: &Batch, store: &mut Store, scratch: &mut Scratch, level: Level, po
 
 /// The stages after the vertex stage.
 fn draw(batch: &Batch, store: &mut Store, scratch: &mut Scratch, screen_base: &[u32], level: Level, pool: Option<&rayon::ThreadPool>) {
+    // Enough runs for all threads to have work until the end.
+    let threads = pool.map_or(1, |p| p.current_num_threads());
+    let chunk = (batch.primitives.len() as u32 / (4 * threads as u32)).clamp(CHUNK[1], CHUNK[0]);
     let runs: Vec<(usize, u32, u32)> = (batch.steps.iter().enumerate())
         .flat_map(|(k, step)| {
             let (first, end) = if let Step::Primitives { first, end } = *step { (first, end) } else { (0, 0) };
-            (first..end).step_by(CHUNK as usize).map(move |f| (k, f, (f + CHUNK).min(end)))
+            (first..end).step_by(chunk as usize).map(move |f| (k, f, (f + chunk).min(end)))
         })
         .collect();
     if scratch.chunks.len() < runs.len() {
@@ -231,7 +252,9 @@ fn draw(batch: &Batch, store: &mut Store, scratch: &mut Scratch, screen_base: &[
             scratch.stipple_counter = counter;
         }
         Some(pool) if runs.len() > 1 => {
-            pool.install(|| chunks.par_iter_mut().zip(&runs).for_each(|(chunk, &(_, first, end))| set_up(chunk, first, end)));
+            pool.install(|| {
+                chunks.par_iter_mut().zip(&runs).with_max_len(1).for_each(|(chunk, &(_, first, end))| set_up(chunk, first, end))
+            });
         }
         _ => chunks.iter_mut().zip(&runs).for_each(|(chunk, &(_, first, end))| set_up(chunk, first, end)),
     }
@@ -259,11 +282,11 @@ fn draw(batch: &Batch, store: &mut Store, scratch: &mut Scratch, screen_base: &[
         });
     };
     match pool {
-        Some(pool) if bins.len() > 1 => pool.install(|| bins.into_par_iter().enumerate().for_each(fine)),
+        // One by one: some bins hold most of the work.
+        Some(pool) if bins.len() > 1 => pool.install(|| bins.into_par_iter().enumerate().with_max_len(1).for_each(fine)),
         _ => bins.into_iter().enumerate().for_each(fine),
     }
     if cpu_stats::wanted() {
-        let threads = pool.map_or(1, |p| p.current_num_threads());
         cpu_stats::print(batch, &plans, &work, tiles.map(AtomicU64::into_inner), threads);
     }
 }

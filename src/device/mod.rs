@@ -101,8 +101,27 @@ pub trait Surface: Send {
     fn color_pixels(&mut self) -> &Pixels {
         self.pixels()
     }
+    /// Copies the colour to rows of bytes, `stride` from one to the next, row 0 last where `bottom_up`. The last row in memory may end
+    /// with its pixels; every other one must have room for them.
+    fn copy_color(&mut self, out: &mut [u8], stride: usize, bottom_up: bool) {
+        let pixels = self.color_pixels();
+        let words = pixels.width as usize * pixels.format.color.words();
+        let lines = lines(out, stride, pixels.height as usize, bottom_up);
+        for (line, row) in lines.into_iter().zip(pixels.color.chunks_exact(words.max(1))) {
+            line[..words * 4].copy_from_slice(bytemuck::cast_slice(row));
+        }
+    }
     /// The same as `pixels`, to change.
     fn pixels_mut(&mut self) -> &mut Pixels;
+}
+
+/// The first `count` rows of memory, `stride` bytes each (the last one may be shorter), in the order of a surface's rows.
+fn lines(out: &mut [u8], stride: usize, count: usize, bottom_up: bool) -> Vec<&mut [u8]> {
+    let mut lines: Vec<&mut [u8]> = out.chunks_mut(stride.max(1)).take(count).collect();
+    if bottom_up {
+        lines.reverse();
+    }
+    lines
 }
 
 /// Makes surfaces.

@@ -3,6 +3,7 @@
 //! Nothing here knows a GL object. A batch owns (or shares by `Arc`) all that it reads, so a later change to a GL
 //! object never forces it to run early.
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use crate::program::Program;
@@ -90,4 +91,29 @@ impl Batch {
         let end = self.draws.get(draw + 1).map_or(self.primitives.len() as u32, |next| next.first_primitive);
         self.draws[draw].first_primitive..end
     }
+}
+
+/// Most bytes of an executed batch that are kept.
+const SPARE_LIMIT: usize = 16 << 20;
+
+thread_local! {
+    static SPARE: RefCell<(Vec<f32>, Vec<Primitive>)> = const { RefCell::new((Vec::new(), Vec::new())) };
+}
+
+/// Keeps the memory of an executed batch for the next one of this thread: fresh memory of its size costs a page fault every 4 KiB.
+pub fn recycle(batch: Batch) {
+    let Batch { mut vertices, mut primitives, .. } = batch;
+    if vertices.capacity() * 4 + primitives.capacity() * size_of::<Primitive>() <= SPARE_LIMIT {
+        vertices.clear();
+        primitives.clear();
+        SPARE.set((vertices, primitives));
+    }
+}
+
+/// Memory for vertices and primitives, with room for so many.
+pub(crate) fn spare(sizes: [usize; 2]) -> (Vec<f32>, Vec<Primitive>) {
+    let (mut vertices, mut primitives) = SPARE.take();
+    vertices.reserve(sizes[0]);
+    primitives.reserve(sizes[1]);
+    (vertices, primitives)
 }

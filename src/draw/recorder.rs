@@ -345,9 +345,8 @@ impl Recorder {
     fn open_draw(&mut self, layout: VertexLayout, current: &[[f32; 4]; ATTRIBUTES]) {
         self.close_draw();
         let Some(prepared) = &self.prepared else { return };
-        if self.batch.primitives.capacity() == 0 {
-            self.batch.vertices.reserve(self.last_sizes[0]);
-            self.batch.primitives.reserve(self.last_sizes[1]);
+        if self.batch.draws.is_empty() {
+            (self.batch.vertices, self.batch.primitives) = super::spare(self.last_sizes);
         }
         let mut record = prepared.record;
         let (offset, stride) = layout.offsets();

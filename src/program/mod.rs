@@ -92,6 +92,18 @@ pub enum Shortcut {
     None,
     /// The colour is varying `k`, as it is interpolated; nothing is discarded, depth is the interpolated one.
     Varying(u8),
+    /// The same, but the colour is a varying times a texel.
+    Modulate(Modulate),
+}
+
+/// A colour times a texel of slot 0, at s, t and r of varying 0 divided by its q. The inputs are varying 0, the three points of its
+/// quad where there is a level of detail, and the colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Modulate {
+    /// The sampler wants a level of detail.
+    pub lod: bool,
+    /// Red, green and blue are multiplied, alpha is.
+    pub parts: [bool; 2],
 }
 
 /// A program, ready for both executors.

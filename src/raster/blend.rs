@@ -28,11 +28,17 @@ pub fn quantize<S: Simd>(c: S::F) -> S::I {
     S::round(S::mul(S::clamp(c, S::f(0.0), S::f(1.0)), S::f(255.0)))
 }
 
-/// Four columns to pairs.
+/// Four columns to packed RGBA8: [`quantize`] of each. What is below 0, and NaN, which rounds to the least integer, is clamped by
+/// the packing.
 #[inline(always)]
-pub fn quantize4<S: Simd>(c: [S::F; 4]) -> Pairs<S::I> {
-    let [r, g, b, a] = [quantize::<S>(c[0]), quantize::<S>(c[1]), quantize::<S>(c[2]), quantize::<S>(c[3])];
-    (S::or(r, S::shl::<16>(b)), S::or(g, S::shl::<16>(a)))
+pub fn quantize4<S: Simd>(c: [S::F; 4]) -> S::I {
+    let (one, most) = (S::f(1.0), S::f(255.0));
+    S::bytes([
+        S::round(S::mul(S::at_most(c[0], one), most)),
+        S::round(S::mul(S::at_most(c[1], one), most)),
+        S::round(S::mul(S::at_most(c[2], one), most)),
+        S::round(S::mul(S::at_most(c[3], one), most)),
+    ])
 }
 
 /// a * b / 255 of 16-bit halves up to 255, as llvmpipe rounds it: (t + (t >> 8) + 128) >> 8, which is one less
@@ -163,11 +169,8 @@ pub fn over<S: Simd>(s: Pairs<S::I>, d: Pairs<S::I>) -> Pairs<S::I> {
     let a = S::shr::<16>(s.1);
     let a = S::or(a, S::shl::<16>(a));
     let not = S::sub16(S::i(0x00ff_00ff), a);
-    let most = S::i(0x00ff_00ff);
-    (
-        S::min16(S::add16(mul255::<S>(s.0, a), mul255::<S>(d.0, not)), most),
-        S::min16(S::add16(mul255::<S>(s.1, a), mul255::<S>(d.1, not)), most),
-    )
+    // A product is at most each of its factors, so that the sums are at most a + (255 - a).
+    (S::add16(mul255::<S>(s.0, a), mul255::<S>(d.0, not)), S::add16(mul255::<S>(s.1, a), mul255::<S>(d.1, not)))
 }
 
 /// A logic op on packed pixels (GL's op minus GL_CLEAR).

@@ -2,10 +2,11 @@
 //! with writes or not there at all, blending is SRC_ALPHA, ONE_MINUS_SRC_ALPHA or off. The same values as the general
 //! routine of [`super::fine`]; what does not change within a tile is computed once.
 
-use super::fine::{Plan, lanes, row8};
+use super::fine::{Plan, row8};
 use super::layout::*;
 use super::simd::Simd;
 use super::store::BinPixels;
+use super::tile::{FULL, TileRows};
 use super::{blend, depth_stencil};
 use crate::device::{ColorFormat, SurfaceFormat};
 
@@ -44,64 +45,95 @@ pub fn choose(state: &FragmentState, format: SurfaceFormat, direct: bool, write_
     if mode == 0 { COPY } else { mode }
 }
 
-/// The covered pixels of a tile whose first pixel is `at` in the bin and `place` on the surface.
+/// A tile under a triangle.
+pub struct Tile<S: Simd> {
+    /// Its first pixel in the bin.
+    pub at: usize,
+    /// Its first pixel on the surface.
+    pub place: [i32; 2],
+    /// The edge functions from row `first` on.
+    pub edges: TileRows<S>,
+    /// First and last row that samples may lie in.
+    pub rows: [i32; 2],
+    /// Samples that may be drawn at all: the scissor and the polygon stipple.
+    pub allowed: u64,
+}
+
+/// What colours a tile's rows.
+struct Colors<'a, S: Simd> {
+    /// Planes of the colour, at row 0 of the surface and by row.
+    across: [S::F; 4],
+    down: &'a [f32; 4],
+    perspective: bool,
+}
+
+impl<S: Simd> Colors<'_, S> {
+    /// Writes a row's pixels that are not `outside`.
+    #[inline(always)]
+    fn write<const MODE: u32>(&self, y: S::F, reciprocal: S::F, outside: S::I, pixels: &mut [u32; 8]) {
+        let mut color = self.across;
+        for c in 0..4 {
+            color[c] = S::fma(y, S::f(self.down[c]), color[c]);
+        }
+        if self.perspective {
+            for c in &mut color {
+                *c = S::mul(*c, reciprocal);
+            }
+        }
+        let old = S::load_u(pixels);
+        let mut new = blend::quantize4::<S>(color);
+        if MODE & BLEND != 0 {
+            new = blend::pack::<S>(blend::over::<S>(blend::unpack::<S>(new), blend::unpack::<S>(old)));
+        }
+        S::store_u(S::select(outside, old, new), pixels);
+    }
+}
+
+/// Draws the covered pixels of a tile; false where there are none.
 #[inline(always)]
-pub fn tile<S: Simd, const MODE: u32>(
-    plan: &Plan,
-    t: &Triangle,
-    planes: &[[f32; 4]],
-    bin: &mut BinPixels,
-    at: usize,
-    place: [i32; 2],
-    mut mask: u64,
-) {
+pub fn tile<S: Simd, const MODE: u32>(plan: &Plan, t: &Triangle, planes: &[[f32; 4]], bin: &mut BinPixels, tile: Tile<S>) -> bool {
+    let Tile { at, place, mut edges, rows: [first, last], allowed } = tile;
     let k = plan.direct.unwrap_or(0);
     let base = (DEPTH_PLANE_VEC4 + k as u32 * VARYING_PLANE_VEC4) as usize;
     let p: &[[f32; 4]; 3] = planes[base..base + 3].try_into().expect("three");
     let (head, tail) = (planes[0], planes[1]);
-    let perspective = plan.modes[k] == interpolation::PERSPECTIVE && t.flags & triangle_flags::PERSPECTIVE != 0;
     let x = S::add(S::f(place[0] as f32), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
     let zx = S::fma(x, S::f(head[1]), S::f(head[0]));
     let wx = S::fma(x, S::f(tail[0]), S::f(head[3]));
-    let mut cx = [S::f(0.0); 4];
+    let perspective = plan.modes[k] == interpolation::PERSPECTIVE && t.flags & triangle_flags::PERSPECTIVE != 0;
+    let mut colors = Colors::<S> { across: [S::f(0.0); 4], down: &p[2], perspective };
     for c in 0..4 {
-        cx[c] = S::fma(x, S::f(p[1][c]), S::f(p[0][c]));
+        colors.across[c] = S::fma(x, S::f(p[1][c]), S::f(p[0][c]));
     }
-    while mask != 0 {
-        let row = mask.trailing_zeros() / 8;
-        let bits = (mask >> (8 * row)) as u32 & 0xff;
-        mask &= !(0xff << (8 * row));
+    let mut touched = false;
+    for row in first..=last {
+        // Only signs count in a mask: they are what `select` and `signs` look at.
+        let mut outside = edges.next();
+        if allowed != FULL {
+            outside = S::or(outside, S::mask(!(allowed >> (8 * row)) as u32));
+        }
+        if S::signs(outside) == 0xff {
+            continue;
+        }
+        touched = true;
         let pixel = at + row as usize * 8;
-        let y = S::f((place[1] + row as i32) as f32);
-        let mut live = lanes::<S>(bits);
+        let y = S::f((place[1] + row) as f32);
         if MODE & DEPTH != 0 {
             let z = S::add(S::fma(y, S::f(head[2]), zx), S::f(tail[2]));
             let z = depth_stencil::quantize::<S>(z, plan.depth_range, plan.depth_scale);
             let words = row8(bin.depth_stencil, pixel);
             let old = S::load_u(words);
             let old_z = S::and(old, S::i(0xff_ffff));
-            live = S::and(live, S::gt(S::iadd(old_z, S::i(plan.depth_bias)), z));
-            if S::signs(live) == 0 {
+            outside = S::or(outside, S::xor(S::gt(S::iadd(old_z, S::i(plan.depth_bias)), z), S::i(-1)));
+            if S::signs(outside) == 0xff {
                 continue;
             }
-            S::store_u(S::select(live, S::or(S::andnot(S::i(0xff_ffff), old), z), old), words);
+            S::store_u(S::select(outside, old, S::or(S::andnot(S::i(0xff_ffff), old), z)), words);
         }
-        let mut color = cx;
-        for c in 0..4 {
-            color[c] = S::fma(y, S::f(p[2][c]), color[c]);
-        }
-        if perspective {
-            let reciprocal = S::div(S::f(1.0), S::fma(y, S::f(tail[1]), wx));
-            for c in &mut color {
-                *c = S::mul(*c, reciprocal);
-            }
-        }
-        let words = row8(bin.color, pixel);
-        let old = S::load_u(words);
-        let s = blend::quantize4::<S>(color);
-        let new = if MODE & BLEND != 0 { blend::over::<S>(s, blend::unpack::<S>(old)) } else { s };
-        S::store_u(S::select(live, blend::pack::<S>(new), old), words);
+        let reciprocal = if perspective { S::div(S::f(1.0), S::fma(y, S::f(tail[1]), wx)) } else { S::f(1.0) };
+        colors.write::<MODE>(y, reciprocal, outside, row8(bin.color, pixel));
     }
+    touched
 }
 
 #[cfg(test)]

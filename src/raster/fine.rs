@@ -1,19 +1,22 @@
 //! Fine stage: a bin's work in order: for each triangle its coverage tile by tile, then row by row of eight pixels
-//! the depth and stencil test, the colour and the write.
+//! the depth and stencil test, the colour and the write ([`super::write`]).
 //!
 //! Fragments of programs wait in a queue, packed lane by lane, so that one run of the lane executor serves many small
 //! triangles; a queue is written out in the order in which it was filled, and before anything else is drawn.
 
+use super::interpolate::Interpolator;
 use super::layout::*;
 use super::setup::Chunk;
-use super::simd::Simd;
+use super::simd::{Simd, prefetch};
 use super::store::BinPixels;
 use super::tile::{FULL, LocalEdges, rectangle_mask};
-use super::{blend, clear, depth_stencil, fast};
+use super::write::{Color, is_bytes, write};
+use super::{blend, clear, depth_stencil, fast, modulate};
 use crate::device::{ColorFormat, SurfaceFormat};
+use crate::draw::texture::{TextureBinding, TextureKind};
 use crate::draw::{Batch, Clear};
-use crate::program::lanes::{Column, Column4, Environment, FragmentResults, GROUPS, LANES, Machine, ZERO4};
-use crate::program::{Input, Program, Shortcut};
+use crate::program::lanes::{Column4, Environment, FragmentResults, GROUPS, LANES, Machine, ZERO4};
+use crate::program::{Input, Modulate, Program, Shortcut};
 
 /// A piece of a batch, in order.
 #[derive(Clone, Copy)]
@@ -47,6 +50,8 @@ pub struct Plan<'a> {
     program: &'a Program,
     /// The colour is this varying: no program runs.
     pub direct: Option<usize>,
+    /// The colour is a varying times a texel: no program runs.
+    modulate: Option<Modulate>,
     /// Depth and stencil are tested before the colour is known.
     pub early: bool,
     /// There is any depth or stencil test.
@@ -57,8 +62,10 @@ pub struct Plan<'a> {
     pub depth_scale: f32,
     /// What depth is clamped to.
     pub depth_range: [f32; 2],
-    constant: (i32, i32),
-    write_mask: u32,
+    /// The blend colour, as pairs.
+    pub constant: (i32, i32),
+    /// Bits of a packed pixel that are written.
+    pub write_mask: u32,
     /// Which routine of [`super::fast`] serves the draw: `fast::*`.
     pub fast: u32,
     /// Added to the stored depth before "less": 1 for LEQUAL.
@@ -78,6 +85,11 @@ impl<'a> Plan<'a> {
             Shortcut::Varying(k) if (k as u32) < draw.record.varying_count => Some(k as usize),
             _ => None,
         };
+        let flat_image = |t: &TextureBinding| matches!(t.image.kind, TextureKind::D1 | TextureKind::D2);
+        let modulate = match program.shortcut {
+            Shortcut::Modulate(what) if batch.textures.get(draw.record.first_texture as usize).is_some_and(flat_image) => Some(what),
+            _ => None,
+        };
         let mut write_mask = blend::mask_bits(state.color_mask);
         if format.color == ColorFormat::Rgbx8 {
             write_mask |= 0xff00_0000;
@@ -87,6 +99,7 @@ impl<'a> Plan<'a> {
             state,
             program,
             direct,
+            modulate,
             early: state.flags & fragment_flags::ALPHA_TEST == 0 && !program.discards && !program.writes_depth,
             tests: state.flags & (fragment_flags::DEPTH_TEST | fragment_flags::STENCIL_TEST) != 0,
             stipple: batch.polygon_stipples.get(raster.polygon_stipple as usize),
@@ -102,6 +115,11 @@ impl<'a> Plan<'a> {
 }
 
 impl Plan<'_> {
+    /// What the program reads.
+    pub fn inputs(&self) -> &[Input] {
+        &self.program.inputs
+    }
+
     /// What serves the draw, in words.
     pub fn routine(&self) -> &'static str {
         match self.fast {
@@ -110,6 +128,7 @@ impl Plan<'_> {
             fast::DEPTH_BLEND => "the depth-tested blending routine (colour passes through, no program)",
             fast::COPY => "the replacing routine (colour passes through, no program, no tests)",
             _ if self.direct.is_some() => "the general routine without a program",
+            _ if self.modulate.is_some() => "the general routine with one texture (no program)",
             _ if self.early => "the general routine with early tests and a program",
             _ => "the general routine with a program before the tests",
         }
@@ -118,24 +137,50 @@ impl Plan<'_> {
 
 /// A row of eight pixels that waits for its colour.
 #[derive(Clone, Copy, Default)]
-struct Row {
+pub struct Row {
     /// Its first pixel in the bin.
     at: u32,
     /// Pixels covered (and not yet rejected).
-    mask: u32,
-    /// Lane of its first covered pixel; the others follow.
-    start: u32,
+    pub mask: u32,
+    /// Lane of its first covered pixel; the others follow, up to `end`.
+    pub start: u32,
+    /// See `start`.
+    pub end: u32,
+    /// Its first pixel on the surface.
+    pub place: [i32; 2],
+    /// Index of the work that its triangle belongs to.
+    work: u32,
+    /// First of the triangle's planes.
+    planes: u32,
     /// Front-facing.
-    front: bool,
+    pub front: bool,
+    /// [`triangle_flags::PERSPECTIVE`]
+    pub perspective: bool,
     /// Quantised depth.
     z: [u32; 8],
+}
+
+impl Scene<'_> {
+    /// The planes of a row's triangle.
+    #[inline(always)]
+    pub fn planes(&self, row: &Row) -> &[[f32; 4]] {
+        match self.work[row.work as usize] {
+            Work::Triangles(chunk) => &chunk.planes[row.planes as usize..],
+            Work::Clear(_) => &[],
+        }
+    }
 }
 
 /// One worker's memory.
 pub struct Worker {
     machine: Machine,
+    interpolator: Interpolator,
+    /// Index of the work that is done.
+    work: u32,
     inputs: Vec<Column4>,
     results: Box<FragmentResults>,
+    /// Colours of the fragments, where they are bytes.
+    bytes: [u32; LANES * GROUPS],
     queue: Box<[Row; LANES * GROUPS]>,
     queued: usize,
     /// Lanes that the queued rows take.
@@ -148,8 +193,11 @@ impl Default for Worker {
     fn default() -> Self {
         Worker {
             machine: Machine::default(),
+            interpolator: Interpolator::default(),
+            work: 0,
             inputs: Vec::new(),
             results: Box::new(FragmentResults { color: ZERO4, depth: [[0.0; LANES]; GROUPS], keep: [0; GROUPS] }),
+            bytes: [0; LANES * GROUPS],
             queue: Box::new([Row::default(); LANES * GROUPS]),
             queued: 0,
             lanes: 0,
@@ -166,19 +214,26 @@ crate::dispatch! {
 #[inline(always)]
 fn bin_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, index: usize, bin: &mut BinPixels) {
     let mut current = NONE;
-    for work in scene.work {
+    for (index_of_work, work) in scene.work.iter().enumerate() {
+        worker.work = index_of_work as u32;
         match work {
             Work::Clear(c) => {
                 flush::<S>(worker, scene, current, bin);
                 clear::run(c, scene.format, bin);
             }
             Work::Triangles(chunk) => {
-                for &t in chunk.bins.list(index) {
+                let list = chunk.bins.list(index);
+                for (k, &t) in list.iter().enumerate() {
+                    prefetch_after(chunk, &list[k..]);
                     let t = &chunk.triangles[t as usize];
                     if t.draw != current {
                         flush::<S>(worker, scene, current, bin);
                         current = t.draw;
-                        let count = scene.plans[current as usize].program.inputs.len();
+                        let plan = &scene.plans[current as usize];
+                        if plan.direct.is_none() {
+                            worker.interpolator.prepare(plan);
+                        }
+                        let count = plan.inputs().len();
                         if worker.inputs.len() < count {
                             worker.inputs.resize(count, ZERO4);
                         }
@@ -191,15 +246,30 @@ fn bin_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, index: usize, bin: &m
     flush::<S>(worker, scene, current, bin);
 }
 
+/// Asks for triangles and planes that a list will come to soon.
+#[inline(always)]
+fn prefetch_after(chunk: &Chunk, list: &[u32]) {
+    if let (Some(&near), Some(&far)) = (list.get(3), list.get(8)) {
+        prefetch(&chunk.triangles[far as usize]);
+        let planes = chunk.triangles[near as usize].planes as usize;
+        prefetch(&chunk.planes[planes]);
+        // The next cache line, which most blocks of planes reach.
+        if let Some(next) = chunk.planes.get(planes + 4) {
+            prefetch(next);
+        }
+    }
+}
+
 #[inline(always)]
 fn triangle<S: Simd>(worker: &mut Worker, scene: &Scene, t: &Triangle, planes: &[[f32; 4]], bin: &mut BinPixels) {
     let plan = &scene.plans[t.draw as usize];
+    let local = LocalEdges::<S>::new(t, bin.origin[0], bin.origin[1]);
     match plan.fast {
-        fast::DEPTH => tiles::<S, { fast::DEPTH }>(worker, scene, plan, t, planes, bin),
-        fast::BLEND => tiles::<S, { fast::BLEND }>(worker, scene, plan, t, planes, bin),
-        fast::DEPTH_BLEND => tiles::<S, { fast::DEPTH_BLEND }>(worker, scene, plan, t, planes, bin),
-        fast::COPY => tiles::<S, { fast::COPY }>(worker, scene, plan, t, planes, bin),
-        _ => tiles::<S, { fast::NONE }>(worker, scene, plan, t, planes, bin),
+        fast::DEPTH => tiles::<S, { fast::DEPTH }>(worker, scene, plan, t, &local, planes, bin),
+        fast::BLEND => tiles::<S, { fast::BLEND }>(worker, scene, plan, t, &local, planes, bin),
+        fast::DEPTH_BLEND => tiles::<S, { fast::DEPTH_BLEND }>(worker, scene, plan, t, &local, planes, bin),
+        fast::COPY => tiles::<S, { fast::COPY }>(worker, scene, plan, t, &local, planes, bin),
+        _ => tiles::<S, { fast::NONE }>(worker, scene, plan, t, &local, planes, bin),
     }
 }
 
@@ -210,11 +280,11 @@ fn tiles<S: Simd, const MODE: u32>(
     scene: &Scene,
     plan: &Plan,
     t: &Triangle,
+    local: &LocalEdges<S>,
     planes: &[[f32; 4]],
     bin: &mut BinPixels,
 ) {
     let [ox, oy] = bin.origin;
-    let local = LocalEdges::new(t, ox, oy);
     let columns = ((t.columns & 0xffff) as i32 - ox, (t.columns >> 16) as i32 - ox);
     let rows = ((t.rows & 0xffff) as i32 - oy, (t.rows >> 16) as i32 - oy);
     let (tx0, tx1) = (columns.0.max(0) / 8, columns.1.min(63) / 8);
@@ -222,22 +292,23 @@ fn tiles<S: Simd, const MODE: u32>(
     for ty in ty0..=ty1 {
         let (first, last) = ((rows.0 - ty * 8).max(0), (rows.1 - ty * 8).min(7));
         for tx in tx0..=tx1 {
-            let mut mask = local.coverage::<S>(tx * 8, ty * 8, first, last);
-            if mask == 0 {
-                continue;
-            }
+            let Some(edges) = local.rows(tx * 8, ty * 8, first) else { continue };
+            let mut allowed = FULL;
             if t.flags & triangle_flags::CUT != 0 {
-                mask &= rectangle_mask(tx * 8, ty * 8, columns, rows);
+                allowed &= rectangle_mask(tx * 8, ty * 8, columns, rows);
             }
             if let (Some(stipple), true) = (plan.stipple, t.flags & triangle_flags::POLYGON != 0) {
-                mask &= stipple_mask(stipple, scene, ox + tx * 8, oy + ty * 8);
+                allowed &= stipple_mask(stipple, scene, ox + tx * 8, oy + ty * 8);
             }
-            worker.tiles[(mask != FULL) as usize] += 1;
+            let full = edges.full && allowed == FULL;
             let tile = ((ty * 8 + tx) * 64) as usize;
             if MODE != fast::NONE {
-                fast::tile::<S, MODE>(plan, t, planes, bin, tile, [ox + tx * 8, oy + ty * 8], mask);
+                let tile = fast::Tile { at: tile, place: [ox + tx * 8, oy + ty * 8], edges, rows: [first, last], allowed };
+                worker.tiles[!full as usize] += fast::tile::<S, MODE>(plan, t, planes, bin, tile) as u64;
                 continue;
             }
+            let mut mask = edges.mask(first, last) & allowed;
+            worker.tiles[!full as usize] += (mask != 0) as u64;
             while mask != 0 {
                 let row = mask.trailing_zeros() as i32 / 8;
                 let bits = (mask >> (8 * row)) as u32 & 0xff;
@@ -258,13 +329,6 @@ fn stipple_mask(stipple: &[u32; 32], scene: &Scene, x: i32, y: i32) -> u64 {
         mask |= ((pattern >> (x & 31) & 0xff) as u64) << (8 * row);
     }
     mask
-}
-
-/// Lanes whose bit is set.
-#[inline(always)]
-pub fn lanes<S: Simd>(bits: u32) -> S::I {
-    let which = S::load_u(&[1, 2, 4, 8, 16, 32, 64, 128]);
-    S::eq(S::and(S::i(bits as i32), which), which)
 }
 
 /// A plane at eight pixels: fma(y, dy, fma(x, dx, a0)).
@@ -295,7 +359,7 @@ fn row_of_pixels<S: Simd>(
     let x = S::add(S::f(place[0] as f32), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
     let y = S::f(place[1] as f32);
     let front = t.flags & triangle_flags::FRONT != 0;
-    let mut mask = lanes::<S>(bits);
+    let mut mask = S::mask(bits);
     let mut z = S::i(0);
     let head = (planes[0], planes[1]);
     let z_float = S::add(at::<S>(head.0[0], head.0[1], head.0[2], x, y), S::f(head.1[2]));
@@ -308,39 +372,25 @@ fn row_of_pixels<S: Simd>(
             }
         }
     }
-    let inv_w = at::<S>(head.0[3], head.1[0], head.1[1], x, y);
-    let reciprocal = if t.flags & triangle_flags::PERSPECTIVE != 0 { S::div(S::f(1.0), inv_w) } else { S::f(1.0) };
     if let Some(k) = plan.direct {
+        let mut reciprocal = S::f(1.0);
+        if t.flags & triangle_flags::PERSPECTIVE != 0 {
+            reciprocal = S::div(reciprocal, at::<S>(head.0[3], head.1[0], head.1[1], x, y));
+        }
         let color = varying::<S>(plan, planes, t, k, x, y, reciprocal);
-        write::<S>(plan, scene.format, bin, pixel, front, z, mask, color);
+        let bytes = if is_bytes(scene.format) { blend::quantize4::<S>(color) } else { S::i(0) };
+        write::<S>(plan, scene.format, bin, pixel, front, z, mask, Color { bytes, columns: color });
         return;
     }
-    let live = S::signs(mask);
-    let start = worker.lanes;
-    for (input, column) in plan.program.inputs.iter().zip(&mut worker.inputs) {
-        let value = match *input {
-            Input::Position => [S::add(x, S::f(0.5)), S::add(y, S::f(0.5)), z_float, inv_w],
-            Input::Facing => [S::f(front as u32 as f32), S::f(0.0), S::f(0.0), S::f(0.0)],
-            Input::Varying(k) => varying::<S>(plan, planes, t, k as usize, x, y, reciprocal),
-            Input::Quad(k, which) => {
-                let qx = S::add(S::f(place[0] as f32), S::load(&[0.0, 0.0, 2.0, 2.0, 4.0, 4.0, 6.0, 6.0]));
-                let qx = S::add(qx, S::f((which == 1) as u32 as f32));
-                let qy = S::f(((place[1] & !1) + (which == 2) as i32) as f32);
-                let r = S::div(S::f(1.0), at::<S>(head.0[3], head.1[0], head.1[1], qx, qy));
-                varying::<S>(plan, planes, t, k as usize, qx, qy, r)
-            }
-        };
-        for c in 0..4 {
-            let to = &mut column[c].as_flattened_mut()[start..start + 8];
-            S::store(S::compress(value[c], live), to.try_into().expect("eight"));
-        }
-    }
+    let mask = S::signs(mask);
+    let perspective = t.flags & triangle_flags::PERSPECTIVE != 0;
+    let (start, end) = (worker.lanes as u32, worker.lanes as u32 + mask.count_ones());
     let row = &mut worker.queue[worker.queued];
-    (row.at, row.mask, row.start, row.front) = (pixel as u32, live, start as u32, front);
+    *row = Row { at: pixel as u32, mask, start, end, place, work: worker.work, planes: t.planes, front, perspective, z: [0; 8] };
     S::store_u(z, &mut row.z);
     worker.queued += 1;
-    worker.lanes += live.count_ones() as usize;
-    // The next row stores eight lanes, whatever it covers.
+    worker.lanes = end as usize;
+    // The next row may hold eight fragments.
     if worker.lanes > LANES * GROUPS - 8 {
         flush::<S>(worker, scene, t.draw, bin);
     }
@@ -368,8 +418,8 @@ fn varying<S: Simd>(plan: &Plan, planes: &[[f32; 4]], t: &Triangle, k: usize, x:
 
 /// Eight lanes of a column from any lane on.
 #[inline(always)]
-fn eight(column: &Column, start: usize) -> &[f32; 8] {
-    column.as_flattened()[start..start + 8].try_into().expect("eight")
+fn eight<T>(column: &[T], start: usize) -> &[T; 8] {
+    column[start..start + 8].try_into().expect("eight")
 }
 
 /// The low bits of `dense`, in order, at the places of the set bits of `mask`.
@@ -410,8 +460,22 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
     let first = (plan.record.first_texture as usize).min(scene.batch.textures.len());
     let env =
         Environment { uniforms: &scene.batch.uniforms, base: plan.record.fragment_uniforms, textures: &scene.batch.textures[first..] };
-    worker.machine.run_fragment(plan.program, &env, &worker.inputs, &mut worker.results, lane_count.div_ceil(LANES));
+    worker.interpolator.run::<S>(scene, plan, &worker.queue[..count], lane_count, &mut worker.inputs);
+    let groups = lane_count.div_ceil(LANES);
+    match (plan.modulate, env.textures.first()) {
+        (Some(what), Some(binding)) => modulate::run::<S>(what, binding, &worker.inputs, &mut worker.results.color, groups),
+        _ => worker.machine.run_fragment(plan.program, &env, &worker.inputs, &mut worker.results, groups),
+    }
     let results = &worker.results;
+    if is_bytes(scene.format) {
+        // While they are packed: rows of small triangles are mostly empty.
+        for group in 0..groups {
+            let [r, g, b, a] = &results.color;
+            let color = [S::load(&r[group]), S::load(&g[group]), S::load(&b[group]), S::load(&a[group])];
+            let bytes = &mut worker.bytes[group * LANES..][..LANES];
+            S::store_u(blend::quantize4::<S>(color), bytes.try_into().expect("eight"));
+        }
+    }
     let keep = u64::from_le_bytes(results.keep);
     for row in &worker.queue[..count] {
         let start = row.start as usize;
@@ -425,68 +489,21 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
         let mut z = S::load_u(&row.z);
         if plan.program.writes_depth && plan.tests {
             z = depth_stencil::quantize::<S>(
-                S::expand(S::load(eight(&results.depth, start)), row.mask),
+                S::from_bits(S::expand(S::bits(S::load(eight(results.depth.as_flattened(), start))), row.mask)),
                 plan.depth_range,
                 plan.depth_scale,
             );
         }
-        let mut color = [S::f(0.0); 4];
-        for c in 0..4 {
-            color[c] = S::expand(S::load(eight(&results.color[c], start)), row.mask);
+        let (pixel, mask) = (row.at as usize, S::mask(bits));
+        let mut color = Color { bytes: S::i(0), columns: [S::f(0.0); 4] };
+        if is_bytes(scene.format) {
+            color.bytes = S::expand(S::load_u(eight(&worker.bytes, start)), row.mask);
+        } else {
+            for c in 0..4 {
+                let column = S::load(eight(results.color[c].as_flattened(), start));
+                color.columns[c] = S::from_bits(S::expand(S::bits(column), row.mask));
+            }
         }
-        write::<S>(plan, scene.format, bin, row.at as usize, row.front, z, lanes::<S>(bits), color);
+        write::<S>(plan, scene.format, bin, pixel, row.front, z, mask, color);
     }
-}
-
-/// The operations after the colour is known.
-#[inline(always)]
-#[allow(clippy::too_many_arguments)]
-fn write<S: Simd>(
-    plan: &Plan,
-    format: SurfaceFormat,
-    bin: &mut BinPixels,
-    pixel: usize,
-    front: bool,
-    z: S::I,
-    mut mask: S::I,
-    color: [S::F; 4],
-) {
-    let state = plan.state;
-    if state.flags & fragment_flags::ALPHA_TEST != 0 {
-        // In the precision of the colour buffer.
-        let reference = blend::quantize::<S>(S::f(state.alpha_ref));
-        mask = S::and(mask, depth_stencil::compare_lanes::<S>(state.alpha_func, blend::quantize::<S>(color[3]), reference));
-    }
-    if !plan.early && plan.tests {
-        mask = depth_stencil::test::<S>(state, front, z, mask, row8(bin.depth_stencil, pixel));
-    }
-    if S::signs(mask) == 0 || plan.write_mask == 0 {
-        return;
-    }
-    if !matches!(format.color, ColorFormat::Rgba8 | ColorFormat::Rgbx8) {
-        let mut columns = [[0.0; 8]; 4];
-        for c in 0..4 {
-            S::store(color[c], &mut columns[c]);
-        }
-        super::formats::write(state, format.color, bin.color, pixel, S::signs(mask), &columns);
-        return;
-    }
-    let pixels = row8(bin.color, pixel);
-    let old = S::load_u(pixels);
-    let opaque = S::i(0xff00_0000u32 as i32);
-    let new = if state.flags & fragment_flags::BLEND != 0 {
-        let d = if format.color == ColorFormat::Rgbx8 { S::or(old, opaque) } else { old };
-        blend::pack::<S>(blend::blend::<S>(state, plan.constant, blend::quantize4::<S>(color), blend::unpack::<S>(d)))
-    } else {
-        let s = blend::pack::<S>(blend::quantize4::<S>(color));
-        if state.flags & fragment_flags::LOGIC_OP != 0 { blend::logic_op::<S>(state.logic_op, s, old) } else { s }
-    };
-    let new = if format.color == ColorFormat::Rgbx8 { S::or(new, opaque) } else { new };
-    let new = if plan.write_mask != !0 {
-        let m = S::i(plan.write_mask as i32);
-        S::or(S::and(new, m), S::andnot(m, old))
-    } else {
-        new
-    };
-    S::store_u(S::select(mask, new, old), pixels);
 }

@@ -11,16 +11,21 @@ pub mod depth_stencil;
 pub mod fast;
 pub mod fine;
 pub mod formats;
+mod interpolate;
 pub mod layout;
+mod modulate;
 mod point_line;
 pub mod setup;
 pub mod simd;
+#[cfg(target_arch = "x86_64")]
+mod simd_avx2;
 pub mod store;
 pub mod texture;
 #[cfg(target_arch = "x86_64")]
 mod texture_wide;
 pub mod tile;
 pub mod vertex;
+mod write;
 
 #[cfg(test)]
 mod tests;

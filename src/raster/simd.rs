@@ -25,6 +25,8 @@ pub trait Simd: Copy + 'static {
     fn fma(a: Self::F, b: Self::F, c: Self::F) -> Self::F;
     /// Clamp to low..=high; NaN becomes low.
     fn clamp(a: Self::F, low: Self::F, high: Self::F) -> Self::F;
+    /// The smaller of a and high; NaN stays.
+    fn at_most(a: Self::F, high: Self::F) -> Self::F;
     /// To the nearest integer, ties to even; out of range: i32::MIN.
     fn round(a: Self::F) -> Self::I;
     fn to_f(a: Self::I) -> Self::F;
@@ -33,6 +35,8 @@ pub trait Simd: Copy + 'static {
     fn from_bits(a: Self::I) -> Self::F;
     fn iadd(a: Self::I, b: Self::I) -> Self::I;
     fn isub(a: Self::I, b: Self::I) -> Self::I;
+    /// Product, low half.
+    fn imul(a: Self::I, b: Self::I) -> Self::I;
     fn and(a: Self::I, b: Self::I) -> Self::I;
     fn or(a: Self::I, b: Self::I) -> Self::I;
     fn xor(a: Self::I, b: Self::I) -> Self::I;
@@ -43,6 +47,10 @@ pub trait Simd: Copy + 'static {
     fn shl<const N: i32>(a: Self::I) -> Self::I;
     /// Logical shift right.
     fn shr<const N: i32>(a: Self::I) -> Self::I;
+    /// Arithmetic shift right.
+    fn sar<const N: i32>(a: Self::I) -> Self::I;
+    /// Lane k is lane `from[k]`.
+    fn permute(a: Self::I, from: &[u8; 8]) -> Self::I;
     /// mask ? a : b
     fn select(mask: Self::I, a: Self::I, b: Self::I) -> Self::I;
     /// Bit k: the sign of lane k.
@@ -59,26 +67,48 @@ pub trait Simd: Copy + 'static {
     fn min16(a: Self::I, b: Self::I) -> Self::I;
     /// 16-bit halves: maximum, as signed numbers.
     fn max16(a: Self::I, b: Self::I) -> Self::I;
-    /// The lanes whose bit is set, moved to the front in their order; the others are anything.
-    fn compress(a: Self::F, bits: u32) -> Self::F;
-    /// The inverse: the first lanes spread to those whose bit is set.
-    fn expand(a: Self::F, bits: u32) -> Self::F;
+    /// Four components of a pixel to a byte each, the first lowest; below 0 becomes 0, above 255 becomes 255.
+    fn bytes(c: [Self::I; 4]) -> Self::I;
+    /// A mask of the lanes whose bit is set.
+    fn mask(bits: u32) -> Self::I;
+    /// Four planes (a0, d/dx, d/dy) at `count` places of a row: fma(y, dy, fma(x, dx, a0)). What follows them is anything.
+    fn planes(planes: &[[f32; 4]; 3], x: &[f32; 8], y: f32, count: usize, to: &mut [[f32; 4]; 8]);
+    /// Eight rows of four to four columns of eight.
+    fn columns(rows: &[[f32; 4]; 8]) -> [Self::F; 4];
+    /// The first lanes spread, in their order, to those whose bit is set; the others are anything.
+    fn expand(a: Self::I, bits: u32) -> Self::I;
 }
 
-/// For each mask of eight: which lane comes to which place, when lanes are compressed (0) and expanded (1).
-static MOVES: [[[u8; 8]; 256]; 2] = moves();
+/// For each mask of eight: which lane comes to which place, when lanes are expanded.
+pub(super) static MOVES: [[u8; 8]; 256] = moves();
 
-const fn moves() -> [[[u8; 8]; 256]; 2] {
-    let mut table = [[[0; 8]; 256]; 2];
+const fn moves() -> [[u8; 8]; 256] {
+    let mut table = [[0; 8]; 256];
     let mut bits = 0;
     while bits < 256 {
         let (mut lane, mut at) = (0, 0);
         while lane < 8 {
             if bits >> lane & 1 != 0 {
-                table[0][bits][at] = lane as u8;
-                table[1][bits][lane] = at as u8;
+                table[bits][lane] = at as u8;
                 at += 1;
             }
+            lane += 1;
+        }
+        bits += 1;
+    }
+    table
+}
+
+/// For each mask of eight: a byte a lane, all ones where the lane's bit is set.
+pub(super) static MASKS: [[i8; 8]; 256] = masks();
+
+const fn masks() -> [[i8; 8]; 256] {
+    let mut table = [[0; 8]; 256];
+    let mut bits = 0;
+    while bits < 256 {
+        let mut lane = 0;
+        while lane < 8 {
+            table[bits][lane] = -((bits >> lane & 1) as i8);
             lane += 1;
         }
         bits += 1;
@@ -168,6 +198,10 @@ impl Simd for Portable {
         zip(zip(a, low, |a, l| if a > l { a } else { l }), high, |a, h| if a < h { a } else { h })
     }
     #[inline(always)]
+    fn at_most(a: Self::F, high: Self::F) -> Self::F {
+        zip(a, high, |a, h| if h < a { h } else { a })
+    }
+    #[inline(always)]
     fn round(a: Self::F) -> Self::I {
         map(a, |x| {
             let r = x.round_ties_even();
@@ -197,6 +231,10 @@ impl Simd for Portable {
     #[inline(always)]
     fn isub(a: Self::I, b: Self::I) -> Self::I {
         zip(a, b, i32::wrapping_sub)
+    }
+    #[inline(always)]
+    fn imul(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, i32::wrapping_mul)
     }
     #[inline(always)]
     fn and(a: Self::I, b: Self::I) -> Self::I {
@@ -229,6 +267,14 @@ impl Simd for Portable {
     #[inline(always)]
     fn shr<const N: i32>(a: Self::I) -> Self::I {
         map(a, |x| (x as u32 >> N) as i32)
+    }
+    #[inline(always)]
+    fn sar<const N: i32>(a: Self::I) -> Self::I {
+        map(a, |x| x >> N)
+    }
+    #[inline(always)]
+    fn permute(a: Self::I, from: &[u8; 8]) -> Self::I {
+        map(*from, |from| a[from as usize & 7])
     }
     #[inline(always)]
     fn select(mask: Self::I, a: Self::I, b: Self::I) -> Self::I {
@@ -271,109 +317,45 @@ impl Simd for Portable {
         zip(a, b, |a, b| halves(a, b, |x, y| (x as i16).max(y as i16) as u16))
     }
     #[inline(always)]
-    fn compress(a: Self::F, bits: u32) -> Self::F {
-        map(MOVES[0][bits as usize & 255], |from| a[from as usize])
-    }
-    #[inline(always)]
-    fn expand(a: Self::F, bits: u32) -> Self::F {
-        map(MOVES[1][bits as usize & 255], |from| a[from as usize])
-    }
-}
-
-/// AVX2 and FMA.
-#[cfg(target_arch = "x86_64")]
-#[derive(Clone, Copy)]
-pub struct Avx2;
-
-/// Spells an operation as one intrinsic.
-#[cfg(target_arch = "x86_64")]
-macro_rules! op {
-    ($name:ident($($a:ident: $t:ty),*) -> $r:ty, $e:expr) => {
-        #[inline(always)]
-        fn $name($($a: $t),*) -> $r {
-            // SAFETY: only reached from functions that enable avx2,fma, and those only after detection.
-            unsafe { $e }
+    fn bytes(c: [Self::I; 4]) -> Self::I {
+        let mut r = [0; 8];
+        for k in 0..8 {
+            for (byte, lanes) in c.iter().enumerate() {
+                r[k] |= lanes[k].clamp(0, 255) << (8 * byte);
+            }
         }
-    };
+        r
+    }
+    #[inline(always)]
+    fn mask(bits: u32) -> Self::I {
+        map(MASKS[bits as usize & 255], i32::from)
+    }
+    #[inline(always)]
+    fn planes(planes: &[[f32; 4]; 3], x: &[f32; 8], y: f32, count: usize, to: &mut [[f32; 4]; 8]) {
+        for (to, x) in to.iter_mut().zip(x).take(count) {
+            for c in 0..4 {
+                to[c] = y.mul_add(planes[2][c], x.mul_add(planes[1][c], planes[0][c]));
+            }
+        }
+    }
+    #[inline(always)]
+    fn columns(rows: &[[f32; 4]; 8]) -> [Self::F; 4] {
+        let mut r = [[0.0; 8]; 4];
+        for (k, row) in rows.iter().enumerate() {
+            for c in 0..4 {
+                r[c][k] = row[c];
+            }
+        }
+        r
+    }
+    #[inline(always)]
+    fn expand(a: Self::I, bits: u32) -> Self::I {
+        Self::permute(a, &MOVES[bits as usize & 255])
+    }
 }
 
-/// Lane k becomes lane `from[k]`.
-///
-/// # Safety
-/// The machine has AVX2.
 #[cfg(target_arch = "x86_64")]
-#[inline(always)]
-unsafe fn permute(a: std::arch::x86_64::__m256, from: &[u8; 8]) -> std::arch::x86_64::__m256 {
-    use std::arch::x86_64::*;
-    // SAFETY: the caller's promise; the load reads the eight bytes.
-    unsafe { _mm256_permutevar8x32_ps(a, _mm256_cvtepu8_epi32(_mm_loadl_epi64(from.as_ptr().cast()))) }
-}
-
-#[cfg(target_arch = "x86_64")]
-impl Simd for Avx2 {
-    type F = std::arch::x86_64::__m256;
-    type I = std::arch::x86_64::__m256i;
-    const LEVEL: Level = Level::Avx2;
-    op!(f(v: f32) -> Self::F, std::arch::x86_64::_mm256_set1_ps(v));
-    op!(i(v: i32) -> Self::I, std::arch::x86_64::_mm256_set1_epi32(v));
-    op!(load(v: &[f32; 8]) -> Self::F, std::arch::x86_64::_mm256_loadu_ps(v.as_ptr()));
-    op!(store(v: Self::F, to: &mut [f32; 8]) -> (), std::arch::x86_64::_mm256_storeu_ps(to.as_mut_ptr(), v));
-    op!(load_u(v: &[u32; 8]) -> Self::I, std::arch::x86_64::_mm256_loadu_si256(v.as_ptr().cast()));
-    op!(store_u(v: Self::I, to: &mut [u32; 8]) -> (), std::arch::x86_64::_mm256_storeu_si256(to.as_mut_ptr().cast(), v));
-    op!(add(a: Self::F, b: Self::F) -> Self::F, std::arch::x86_64::_mm256_add_ps(a, b));
-    op!(sub(a: Self::F, b: Self::F) -> Self::F, std::arch::x86_64::_mm256_sub_ps(a, b));
-    op!(mul(a: Self::F, b: Self::F) -> Self::F, std::arch::x86_64::_mm256_mul_ps(a, b));
-    op!(div(a: Self::F, b: Self::F) -> Self::F, std::arch::x86_64::_mm256_div_ps(a, b));
-    op!(fma(a: Self::F, b: Self::F, c: Self::F) -> Self::F, std::arch::x86_64::_mm256_fmadd_ps(a, b, c));
-    // max and min return their second operand where one is NaN.
-    op!(clamp(a: Self::F, low: Self::F, high: Self::F) -> Self::F, {
-        std::arch::x86_64::_mm256_min_ps(std::arch::x86_64::_mm256_max_ps(a, low), high)
-    });
-    op!(round(a: Self::F) -> Self::I, std::arch::x86_64::_mm256_cvtps_epi32(a));
-    op!(to_f(a: Self::I) -> Self::F, std::arch::x86_64::_mm256_cvtepi32_ps(a));
-    op!(lt(a: Self::F, b: Self::F) -> Self::I, {
-        std::arch::x86_64::_mm256_castps_si256(std::arch::x86_64::_mm256_cmp_ps::<{ std::arch::x86_64::_CMP_LT_OQ }>(a, b))
-    });
-    op!(bits(a: Self::F) -> Self::I, std::arch::x86_64::_mm256_castps_si256(a));
-    op!(from_bits(a: Self::I) -> Self::F, std::arch::x86_64::_mm256_castsi256_ps(a));
-    op!(iadd(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_add_epi32(a, b));
-    op!(isub(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_sub_epi32(a, b));
-    op!(and(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_and_si256(a, b));
-    op!(or(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_or_si256(a, b));
-    op!(xor(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_xor_si256(a, b));
-    op!(andnot(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_andnot_si256(a, b));
-    op!(gt(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_cmpgt_epi32(a, b));
-    op!(eq(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_cmpeq_epi32(a, b));
-    #[inline(always)]
-    fn shl<const N: i32>(a: Self::I) -> Self::I {
-        // SAFETY: see `op!`.
-        unsafe { std::arch::x86_64::_mm256_slli_epi32::<N>(a) }
-    }
-    #[inline(always)]
-    fn shr<const N: i32>(a: Self::I) -> Self::I {
-        // SAFETY: see `op!`.
-        unsafe { std::arch::x86_64::_mm256_srli_epi32::<N>(a) }
-    }
-    op!(select(mask: Self::I, a: Self::I, b: Self::I) -> Self::I, {
-        use std::arch::x86_64::*;
-        _mm256_castps_si256(_mm256_blendv_ps(_mm256_castsi256_ps(b), _mm256_castsi256_ps(a), _mm256_castsi256_ps(mask)))
-    });
-    op!(signs(a: Self::I) -> u32, {
-        std::arch::x86_64::_mm256_movemask_ps(std::arch::x86_64::_mm256_castsi256_ps(a)) as u32
-    });
-    op!(mul16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_mullo_epi16(a, b));
-    op!(add16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_add_epi16(a, b));
-    op!(sub16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_sub_epi16(a, b));
-    #[inline(always)]
-    fn shr16<const N: i32>(a: Self::I) -> Self::I {
-        // SAFETY: see `op!`.
-        unsafe { std::arch::x86_64::_mm256_srli_epi16::<N>(a) }
-    }
-    op!(min16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_min_epi16(a, b));
-    op!(compress(a: Self::F, bits: u32) -> Self::F, permute(a, &MOVES[0][bits as usize & 255]));
-    op!(expand(a: Self::F, bits: u32) -> Self::F, permute(a, &MOVES[1][bits as usize & 255]));
-    op!(max16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_max_epi16(a, b));
-}
+pub use super::simd_avx2::Avx2;
 
 /// Which spelling runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -404,6 +386,18 @@ impl Level {
             _ => Level::best(),
         }
     }
+}
+
+/// Asks for the memory of a record that will be read soon.
+#[inline(always)]
+pub fn prefetch<T>(record: &T) {
+    #[cfg(target_arch = "x86_64")]
+    // SAFETY: SSE is part of x86-64, and a prefetch reads nothing.
+    unsafe {
+        std::arch::x86_64::_mm_prefetch::<{ std::arch::x86_64::_MM_HINT_T0 }>(std::ptr::from_ref(record).cast());
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = record;
 }
 
 /// Makes `fn name(level, args...)` of a generic `fn kernel<S: Simd>(args...)`, instantiated once a level.

@@ -83,6 +83,24 @@ impl Store {
         copy_rows(self, &self.color, &mut to.color, self.format.color.words());
     }
 
+    /// Copies the colour of row `k` of bins to its pixels' rows of bytes.
+    pub fn copy_band(&self, k: u32, lines: &mut [&mut [u8]]) {
+        let words = self.format.color.words();
+        let tile = TILE_SIZE as usize * words;
+        for (y, line) in lines.iter_mut().enumerate() {
+            let first = (k * self.bins[0]) as usize * BIN_PIXELS + pixel_index(0, y as u32);
+            let row = &mut line[..self.size[0] as usize * words * 4];
+            for (t, out) in row.chunks_mut(tile * 4).enumerate() {
+                let at = (first + t / 8 * BIN_PIXELS + t % 8 * 64) * words;
+                match <&mut [u8; 32]>::try_from(&mut *out) {
+                    // A copy of known size is one load and one store, not a call.
+                    Ok(out) if words == 1 => *out = bytemuck::cast(*self.color[at..].first_chunk::<8>().expect("a row of a tile")),
+                    _ => out.copy_from_slice(&bytemuck::cast_slice(&self.color[at..])[..out.len()]),
+                }
+            }
+        }
+    }
+
     /// Copies depth and stencil to pixels in rows.
     pub fn read_depth_stencil(&self, to: &mut Pixels) {
         if !self.depth_stencil.is_empty() {

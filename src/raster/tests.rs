@@ -7,10 +7,12 @@ use bytemuck::Zeroable;
 
 use super::layout::*;
 use super::simd::{Level, Portable};
-use super::tile::{Edges, LocalEdges};
+use super::tile::LocalEdges;
 use crate::device::cpu::{CpuDevice, CpuSurface};
 use crate::device::{ColorFormat, DepthFormat, Surface, SurfaceFormat};
+use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
 use crate::draw::{Batch, Clear, Draw, Step};
+use crate::program::fixed::{Base, FragmentKey, UnitKey, fragment_program};
 use crate::program::{Input, Interface, Output, Program, Shortcut, Stage, Varying};
 
 struct Random(u64);
@@ -55,6 +57,11 @@ fn covers(t: &Triangle, px: i32, py: i32) -> bool {
     })
 }
 
+/// Coverage of the tile at (x, y).
+fn coverage(local: &LocalEdges<Portable>, x: i32, y: i32) -> u64 {
+    local.rows(x, y, 0).map_or(0, |rows| rows.mask(0, 7))
+}
+
 #[test]
 fn coverage_is_what_exact_arithmetic_says() {
     let mut random = Random(1);
@@ -69,9 +76,8 @@ fn coverage_is_what_exact_arithmetic_says() {
             let pixels = size / 256 + 1;
             let (bx, by) = ((random.below(pixels) - pixels / 4).max(0) & !63, (random.below(pixels) - pixels / 4).max(0) & !63);
             let local = LocalEdges::new(&t, bx, by);
-            assert_eq!(local.a, Edges::new(&t).local(bx, by).a);
             let (tx, ty) = (random.below(8) * 8, random.below(8) * 8);
-            let mask = local.coverage::<Portable>(tx, ty, 0, 7);
+            let mask = coverage(&local, tx, ty);
             for k in 0..64 {
                 let expected = covers(&t, bx + tx + k % 8, by + ty + k / 8);
                 assert_eq!(mask >> k & 1 != 0, expected, "{t:?} pixel {k} of the tile at {}, {}", bx + tx, by + ty);
@@ -99,7 +105,7 @@ fn edges_that_triangles_share_are_covered_once() {
             let Some(t) = triangle([cx, a.0, b.0], [cy, a.1, b.1], 0) else { continue };
             let local = LocalEdges::new(&t, 0, 0);
             for tile in 0..64 {
-                let mask = local.coverage::<Portable>(tile % 8 * 8, tile / 8 * 8, 0, 7);
+                let mask = coverage(&local, tile % 8 * 8, tile / 8 * 8);
                 (0..64).for_each(|k| count[((tile / 8 * 8 + k / 8) * 64 + tile % 8 * 8 + k % 8) as usize] += (mask >> k & 1) as u8);
             }
         }
@@ -123,6 +129,19 @@ fn program(shortcut: Shortcut) -> Arc<Program> {
 
 /// Draws shaded vertices (clip position, colour) as one draw; returns colour and depth.
 fn draw(vertices: &[[[f32; 4]; 2]], topology: u32, flags: u32, threads: usize, level: Level, shortcut: Shortcut) -> (Vec<u32>, Vec<u32>) {
+    draw_program(vertices, topology, flags, threads, level, program(shortcut), Vec::new())
+}
+
+/// Draws shaded vertices (clip position, varyings) as one draw; returns colour and depth.
+fn draw_program<const STRIDE: usize>(
+    vertices: &[[[f32; 4]; STRIDE]],
+    topology: u32,
+    flags: u32,
+    threads: usize,
+    level: Level,
+    program: Arc<Program>,
+    textures: Vec<TextureBinding>,
+) -> (Vec<u32>, Vec<u32>) {
     let (width, height) = (200, 150);
     let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true };
     let mut surface = CpuSurface::new(&CpuDevice::with(threads, level), width, height, format);
@@ -139,10 +158,11 @@ fn draw(vertices: &[[[f32; 4]; 2]], topology: u32, flags: u32, threads: usize, l
     let (s, d) = (blend_factor::SRC_ALPHA, blend_factor::ONE_MINUS_SRC_ALPHA);
     state.blend_factors = [s, d, s, d];
     let mut record = DrawRecord::zeroed();
-    (record.vertex_count, record.topology, record.shaded_stride) = (vertices.len() as u32, topology, 2);
-    (record.clip_distances, record.point_size, record.varying_count) = (NONE, NONE, 1);
-    record.varyings[0] = 1 | 1 << 8 | interpolation::PERSPECTIVE << 16;
-    let program = program(shortcut);
+    (record.vertex_count, record.topology, record.shaded_stride) = (vertices.len() as u32, topology, STRIDE as u32);
+    (record.clip_distances, record.point_size, record.varying_count) = (NONE, NONE, STRIDE as u32 - 1);
+    for k in 0..STRIDE - 1 {
+        record.varyings[k] = (k as u32 + 1) * 0x101 | interpolation::PERSPECTIVE << 16;
+    }
     let each = topology + 1;
     let primitive = |k: u32| Primitive { v: std::array::from_fn(|i| k * each + (i as u32).min(topology)), draw_and_flags: 0 };
     let count = vertices.len() as u32 / each;
@@ -151,6 +171,7 @@ fn draw(vertices: &[[[f32; 4]; 2]], topology: u32, flags: u32, threads: usize, l
         draws: vec![Draw { record, first_primitive: 0, vertex_program: program.clone(), fragment_program: program }],
         raster_states: vec![raster],
         fragment_states: vec![state],
+        textures,
         primitives: (0..count).map(primitive).collect(),
         steps: vec![Step::Clear(clear), Step::Primitives { first: 0, end: count }],
         ..Batch::default()
@@ -186,6 +207,93 @@ fn threads_levels_and_shortcuts_give_the_same_bits() {
                         assert!(one == other, "topology {topology}, flags {flags}, {threads} threads, {level:?}, {shortcut:?}");
                     }
                 }
+            }
+        }
+    }
+}
+
+/// Noise with mipmaps.
+fn noise_texture(size: [u32; 2], filters: (bool, bool, Option<bool>), wrap: Wrap) -> TextureBinding {
+    let mut random = Random(6);
+    let mut level = |k: u32| {
+        let [width, height] = size.map(|n| (n >> k).max(1));
+        TextureLevel { width, height, depth: 1, texels: Arc::new((0..width * height).map(|_| random.bits()).collect()) }
+    };
+    let levels = (0..=size[0].max(size[1]).ilog2()).map(&mut level).collect();
+    let image = TextureImage { id: 1, kind: TextureKind::D2, format: TexelFormat::Rgba8, levels };
+    let (mag_linear, min_linear, mip_linear) = filters;
+    let (lod_range, border) = ([-1000.0, 1000.0], [0.5; 4]);
+    let sampler = Sampler { wrap: [wrap; 3], mag_linear, min_linear, mip_linear, lod_range, lod_bias: 0.0, border };
+    TextureBinding { image: Arc::new(image), sampler }
+}
+
+#[test]
+fn a_modulated_texture_has_the_bits_of_its_program() {
+    let mut random = Random(7);
+    let with_coordinates = |[position, color]: [[f32; 4]; 2]| {
+        let coordinate = [random.signed() * 3.0, random.signed() * 9.0, 0.0, 0.5 + random.unit()];
+        [position, coordinate, color]
+    };
+    // Large triangles, and small ones, of which many wait together.
+    let mut soup: Vec<_> = soup(8, 300, 1.3).into_iter().chain(soup(9, 6000, 0.1)).map(with_coordinates).collect();
+    for vertex in soup.iter_mut().skip(300).step_by(3) {
+        vertex[0][0] += vertex[0][3] * 0.5;
+    }
+    for (lod, base, filters, wrap) in [
+        (true, Base::Rgba, (true, true, Some(true)), Wrap::Repeat),
+        (true, Base::Rgb, (true, true, Some(true)), Wrap::Clamp),
+        (true, Base::Alpha, (true, false, Some(false)), Wrap::MirroredRepeat),
+        (true, Base::Rgba, (false, false, Some(true)), Wrap::ClampToEdge),
+        (false, Base::Rgba, (true, true, None), Wrap::Repeat),
+        (false, Base::Luminance, (false, false, None), Wrap::ClampToBorder),
+    ] {
+        let mut key = FragmentKey::default();
+        key.units[0] = UnitKey { enabled: true, lod, base, ..UnitKey::default() };
+        let short = fragment_program(&key).program.clone();
+        assert!(matches!(short.shortcut, Shortcut::Modulate(_)));
+        let interface = Interface {
+            inputs: short.inputs.clone(),
+            varyings: short.varyings.clone(),
+            texture_slots: short.texture_slots,
+            ..Interface::default()
+        };
+        let full = Arc::new(Program::new(Stage::Fragment, short.wgsl.clone(), interface).expect("a program"));
+        let texture = noise_texture([32, 8], filters, wrap);
+        let run = |program: &Arc<Program>, level| {
+            draw_program(&soup, topology::TRIANGLES, TESTED, 2, level, program.clone(), vec![texture.clone()])
+        };
+        let one = run(&full, Level::Scalar);
+        assert!(one.0.iter().any(|&c| c != 0));
+        for level in [Level::Scalar, Level::best()] {
+            for program in [&full, &short] {
+                assert!(one == run(program, level), "{base:?}, filters {filters:?}, {wrap:?}, {level:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn colour_is_copied_to_any_rows() {
+    let (width, height) = (150u32, 70u32);
+    let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true };
+    let mut surface = CpuSurface::new(&CpuDevice::with(2, Level::best()), width, height, format);
+    let mut random = Random(10);
+    surface.pixels_mut().color.iter_mut().for_each(|c| *c = random.bits());
+    // Once from the pixels that were changed, once from the store.
+    for drawn in [false, true] {
+        if drawn {
+            let clear = Clear { min: [3, 5], max: [90, 66], color: [1.0; 4], color_mask: 15, depth: None, stencil: None };
+            surface.execute(Batch { steps: vec![Step::Clear(clear)], ..Batch::default() });
+        }
+        for (stride, bottom_up) in [(600, false), (600, true), (640, true)] {
+            let mut out = vec![7u8; 69 * stride + 600];
+            surface.copy_color(&mut out, stride, bottom_up);
+            let pixels = surface.pixels();
+            for y in 0..height as usize {
+                let line = if bottom_up { 69 - y } else { y };
+                let row: &[u8] = bytemuck::cast_slice(&pixels.color[y * 150..][..150]);
+                assert!(out[line * stride..][..600] == *row, "row {y}, stride {stride}");
+                assert!(out[line * stride + 600..].iter().take(stride - 600).all(|&b| b == 7));
             }
         }
     }

@@ -55,6 +55,13 @@ fn sample<const WIDE: bool>(binding: &TextureBinding, coord: &[Lanes; 4], gradie
         return sample_level::<WIDE>(image, sampler, base, sampler.mag_linear, &position);
     };
     let lambda = level_of_detail(image, sampler, base, coord, gradients, &position);
+    #[cfg(target_arch = "x86_64")]
+    if WIDE && image.format == TexelFormat::Rgba8 && image.kind == TextureKind::D2 && sampler.mag_linear && runs_on(sampler) {
+        // SAFETY: `WIDE` is true on processors with AVX2 only.
+        if let Some(texel) = unsafe { texture_wide::trilinear(&image.levels, [sampler.wrap[0], sampler.wrap[1]], coord, &lambda) } {
+            return texel;
+        }
+    }
     let choices = lambda.map(|lambda| choose(image, sampler, lambda));
     let first = choices[0];
     if choices.iter().all(|c| (c.level, c.linear) == (first.level, first.linear)) {
@@ -158,12 +165,19 @@ fn level_of_detail(
         };
         rho2 = std::array::from_fn(|i| math::max(rho2[i], square[i]));
     }
+    // Where the colour runs on from level to level without a jump, the logarithm need not be exact to the last bit.
+    let log2: Lanes = if runs_on(sampler) { rho2.map(|rho2| math::log2_near(rho2)) } else { rho2.map(|rho2| math::log2(rho2)) };
     let mut lambda = [0.0; LANES];
     for i in 0..LANES {
-        let biased = 0.5 * math::log2(rho2[i]) + sampler.lod_bias;
+        let biased = 0.5 * log2[i] + sampler.lod_bias;
         lambda[i] = math::min(math::max(biased, sampler.lod_range[0]), sampler.lod_range[1]);
     }
     lambda
+}
+
+/// Levels are blended, and one filter serves magnification and minification.
+fn runs_on(sampler: &Sampler) -> bool {
+    sampler.mip_linear == Some(true) && sampler.mag_linear == sampler.min_linear
 }
 
 /// Magnification or minification, and which levels (3.8.8, 3.8.9).

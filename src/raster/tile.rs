@@ -5,6 +5,7 @@
 //! a sample is inside where all three are not negative. Within a bin the divided values fit 32 bits.
 
 use super::layout::*;
+use super::simd::Simd;
 
 /// The three edge functions of a triangle, divided by 256, for whole pixels: inside where `c + a * x + b * y >= 0`.
 #[derive(Clone, Copy, Debug)]
@@ -17,16 +18,24 @@ pub struct Edges {
     pub b: [i32; 3],
 }
 
-/// The edge functions near one place: everything fits 32 bits for offsets up to 63 pixels.
-#[derive(Clone, Copy, Debug)]
-pub struct LocalEdges {
+/// The edge functions near one place, an edge a lane (the first three): everything fits 32 bits for offsets up to 63 pixels.
+pub struct LocalEdges<S: Simd> {
     /// At the place.
-    pub c: [i32; 3],
+    c: S::I,
     /// Step in x.
-    pub a: [i32; 3],
+    a: S::I,
     /// Step in y.
-    pub b: [i32; 3],
+    b: S::I,
+    /// From a tile's first sample to its greatest and to its least.
+    reach: [S::I; 2],
+    /// Of each edge: steps in x to the samples of a row.
+    along: [S::I; 3],
+    /// Of each edge: step in y.
+    down: [S::I; 3],
 }
+
+/// Each edge's value in all lanes.
+const EDGE: [[u8; 8]; 3] = [[0; 8], [1; 8], [2; 8]];
 
 impl Edges {
     /// Of a set-up triangle. `flags` says which way is up.
@@ -55,81 +64,111 @@ impl Edges {
         })
     }
 
-    /// Relative to pixel (x, y).
+    /// The constants relative to pixel (x, y).
     #[inline(always)]
-    pub fn local(&self, x: i32, y: i32) -> LocalEdges {
-        let mut local = LocalEdges { c: [0; 3], a: self.a, b: self.b };
+    fn local(&self, x: i32, y: i32) -> [i32; 3] {
+        let mut local = [0; 3];
         for i in 0..3 {
             let c = self.c[i] + self.a[i] as i64 * x as i64 + self.b[i] as i64 * y as i64;
             // Steps are at most 2^23, so that no sample within 63 pixels changes its sign by this.
-            local.c[i] = c.clamp(-(1 << 30), 1 << 30) as i32;
+            local[i] = c.clamp(-(1 << 30), 1 << 30) as i32;
         }
         local
     }
 }
 
-impl LocalEdges {
+impl<S: Simd> LocalEdges<S> {
     /// The edge functions of a triangle relative to pixel (x, y), by 32-bit arithmetic where the triangle is small and near.
     #[inline(always)]
-    pub fn new(t: &Triangle, x: i32, y: i32) -> LocalEdges {
-        let bottom_up = t.flags & triangle_flags::BOTTOM_UP != 0;
-        let mut local = LocalEdges { c: [0; 3], a: [0; 3], b: [0; 3] };
-        let mut wide = 0;
+    pub fn new(t: &Triangle, x: i32, y: i32) -> Self {
+        // The vertices are the first six words.
+        let words: &[u32; 12] = bytemuck::cast_ref(t);
+        let words = S::load_u(words.first_chunk().expect("eight of twelve"));
+        let (xi, yi) = (words, S::permute(words, &[3, 4, 5, 3, 3, 3, 3, 3]));
+        let (xj, yj) = (S::permute(words, &[1, 2, 0, 0, 0, 0, 0, 0]), S::permute(words, &[4, 5, 3, 3, 3, 3, 3, 3]));
+        let (dcdy, dcdx) = (S::isub(xi, xj), S::isub(yi, yj));
+        let (a, b) = (S::isub(S::i(0), dcdx), dcdy);
+        // Steps below 2^12 and places below 2^15: products and their differences fit.
+        let bias = S::i(2048);
+        let beyond = S::andnot(S::i(4095), S::or(S::iadd(dcdy, bias), S::iadd(dcdx, bias)));
+        let c = if S::signs(S::eq(beyond, S::i(0))) & 7 == 7 {
+            let (px, py) = (S::isub(xi, S::i(x << SUBPIXEL_BITS)), S::isub(yi, S::i(y << SUBPIXEL_BITS)));
+            let bottom = if t.flags & triangle_flags::BOTTOM_UP != 0 { S::gt(dcdy, S::i(0)) } else { S::gt(S::i(0), dcdy) };
+            let inclusive = S::or(S::gt(S::i(0), dcdx), S::and(S::eq(dcdx, S::i(0)), bottom));
+            let c = S::isub(S::imul(dcdx, px), S::imul(dcdy, py));
+            // One less where the edge is not inclusive.
+            S::sar::<{ SUBPIXEL_BITS as i32 }>(S::iadd(c, S::xor(inclusive, S::i(-1))))
+        } else {
+            let [c0, c1, c2] = Edges::new(t).local(x, y).map(|c| c as u32);
+            S::load_u(&[c0, c1, c2, 0, 0, 0, 0, 0])
+        };
+        let lanes = S::load_u(&[0, 1, 2, 3, 4, 5, 6, 7]);
+        let (zero, seven) = (S::i(0), S::i(7));
+        let positive = S::iadd(S::and(S::gt(a, zero), a), S::and(S::gt(b, zero), b));
+        let negative = S::iadd(S::and(S::gt(zero, a), a), S::and(S::gt(zero, b), b));
+        let mut local =
+            LocalEdges { c, a, b, reach: [S::imul(positive, seven), S::imul(negative, seven)], along: [zero; 3], down: [zero; 3] };
         for i in 0..3 {
-            let j = (i + 1) % 3;
-            let (dcdy, dcdx) = (t.x[i] - t.x[j], t.y[i] - t.y[j]);
-            // Steps below 2^12 and places below 2^15: products and their differences fit.
-            wide |= (dcdy + 2048) as u32 | (dcdx + 2048) as u32;
-            let (px, py) = (t.x[i] - (x << SUBPIXEL_BITS), t.y[i] - (y << SUBPIXEL_BITS));
-            let inclusive = dcdx < 0 || dcdx == 0 && (if bottom_up { dcdy > 0 } else { dcdy < 0 });
-            let c = dcdx.wrapping_mul(px).wrapping_sub(dcdy.wrapping_mul(py)).wrapping_add(inclusive as i32 - 1);
-            (local.c[i], local.a[i], local.b[i]) = (c >> SUBPIXEL_BITS, -dcdx, dcdy);
+            local.along[i] = S::imul(S::permute(a, &EDGE[i]), lanes);
+            local.down[i] = S::permute(b, &EDGE[i]);
         }
-        if wide < 4096 { local } else { Edges::new(t).local(x, y) }
+        local
     }
 }
 
 /// A tile's coverage: bit 8 * y + x.
 pub const FULL: u64 = u64::MAX;
 
-impl LocalEdges {
-    /// Coverage of rows `first..=last` of the tile whose first pixel lies `(x, y)` from the place.
+/// The edge functions along a row of a tile, stepped from row to row.
+pub struct TileRows<S: Simd> {
+    values: [S::I; 3],
+    steps: [S::I; 3],
+    /// All samples of the tile are inside.
+    pub full: bool,
+}
+
+impl<S: Simd> TileRows<S> {
+    /// Samples outside have their sign set; goes on to the next row.
     #[inline(always)]
-    pub fn coverage<S: super::simd::Simd>(&self, x: i32, y: i32, first: i32, last: i32) -> u64 {
-        let lanes = S::load_u(&[0, 1, 2, 3, 4, 5, 6, 7]);
-        let mut rows = [S::i(0); 3];
-        let mut full = true;
+    pub fn next(&mut self) -> S::I {
+        let outside = S::or(S::or(self.values[0], self.values[1]), self.values[2]);
         for i in 0..3 {
-            let (a, b) = (self.a[i], self.b[i]);
-            let c = self.c[i] + a * x + b * y;
-            if c + 7 * (a.max(0) + b.max(0)) < 0 {
-                return 0;
-            }
-            full &= c + 7 * (a.min(0) + b.min(0)) >= 0;
-            rows[i] = S::i(c.wrapping_add(b.wrapping_mul(first)));
+            self.values[i] = S::iadd(self.values[i], self.steps[i]);
         }
-        if full {
+        outside
+    }
+
+    /// Coverage of rows `first..=last`, where `first` is the row that it stands at: bit 8 * y + x.
+    #[inline(always)]
+    pub fn mask(mut self, first: i32, last: i32) -> u64 {
+        if self.full {
             return FULL;
         }
-        for i in 0..3 {
-            let a = S::i(self.a[i]);
-            // a * lane by adding the bits' multiples.
-            let bit = |n: i32| S::gt(S::and(lanes, S::i(n)), S::i(0));
-            let a2 = S::shl::<1>(a);
-            let a4 = S::shl::<2>(a);
-            rows[i] = S::iadd(rows[i], S::and(bit(1), a));
-            rows[i] = S::iadd(rows[i], S::and(bit(2), a2));
-            rows[i] = S::iadd(rows[i], S::and(bit(4), a4));
-        }
-        let mut mask = 0u64;
+        let mut mask = 0;
         for row in first..=last {
-            let outside = S::signs(S::or(S::or(rows[0], rows[1]), rows[2]));
-            mask |= ((!outside & 0xff) as u64) << (8 * row);
-            for i in 0..3 {
-                rows[i] = S::iadd(rows[i], S::i(self.b[i]));
-            }
+            mask |= ((!S::signs(self.next()) & 0xff) as u64) << (8 * row);
         }
         mask
+    }
+}
+
+impl<S: Simd> LocalEdges<S> {
+    /// The rows from `first` on of the tile whose first pixel lies `(x, y)` from the place; `None` where no sample is inside.
+    #[inline(always)]
+    pub fn rows(&self, x: i32, y: i32, first: i32) -> Option<TileRows<S>> {
+        let c = S::iadd(self.c, S::iadd(S::imul(self.a, S::i(x)), S::imul(self.b, S::i(y))));
+        if S::signs(S::iadd(c, self.reach[0])) & 7 != 0 {
+            return None;
+        }
+        if S::signs(S::iadd(c, self.reach[1])) & 7 == 0 {
+            return Some(TileRows { values: [S::i(0); 3], steps: [S::i(0); 3], full: true });
+        }
+        let start = S::iadd(c, S::imul(self.b, S::i(first)));
+        let mut values = self.along;
+        for i in 0..3 {
+            values[i] = S::iadd(values[i], S::permute(start, &EDGE[i]));
+        }
+        Some(TileRows { values, steps: self.down, full: false })
     }
 }
 

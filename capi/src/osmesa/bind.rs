@@ -9,7 +9,7 @@ use std::sync::Arc;
 use tepui::gl::Context;
 use tepui::gl::enums::*;
 
-use super::format::{bytes_per_pixel, row, storage};
+use super::format::{Format, bytes_per_pixel, row, storage};
 use super::guard;
 use super::handle::{self, Handle};
 use crate::current::{self, Content};
@@ -24,6 +24,14 @@ pub fn present(content: &mut Content) {
         return;
     }
     let Some(window) = &mut context.window else { return };
+    let width = target.width as usize;
+    let row_length = if target.row_length > 0 { target.row_length as usize } else { width };
+    if target.depth.is_empty() && target.format == Format::Rgba && target.kind == GL_UNSIGNED_BYTE && row_length >= width {
+        let length = (target.height as usize - 1) * row_length + width;
+        // SAFETY: the program promised a buffer of `height` rows of `row_length` pixels (the last one of `width`).
+        let out = unsafe { std::slice::from_raw_parts_mut(target.address as *mut u8, length * 4) };
+        return window.copy_color(out, row_length * 4, target.y_up);
+    }
     let pixels = if target.depth.is_empty() { window.color_pixels() } else { window.pixels() };
     let (width, height) = (pixels.width as usize, pixels.height as usize);
     let bytes = bytes_per_pixel(target.format, target.kind);

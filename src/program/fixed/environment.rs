@@ -16,6 +16,18 @@ pub enum Base {
     Rgba,
 }
 
+impl Base {
+    /// Red, green and blue of a texel count.
+    pub fn has_color(self) -> bool {
+        self != Base::Alpha
+    }
+
+    /// Alpha of a texel counts.
+    pub fn has_alpha(self) -> bool {
+        !matches!(self, Base::Luminance | Base::Rgb)
+    }
+}
+
 /// GL_TEXTURE_ENV_MODE.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[allow(missing_docs)]
@@ -86,8 +98,7 @@ impl Function {
 pub(super) fn apply(t: &mut Text, unit: u8, base: Base, mode: &Mode, texel_of: impl Fn(u8) -> bool) {
     let tex = format!("texel{unit}");
     // Texels are expanded: absent alpha is 1, luminance and intensity are in all colours. What remains is which parts count.
-    let has_color = base != Base::Alpha;
-    let has_alpha = !matches!(base, Base::Luminance | Base::Rgb);
+    let (has_color, has_alpha) = (base.has_color(), base.has_alpha());
     let (rgb, alpha) = match mode {
         Mode::Replace => (
             if has_color { format!("{tex}.rgb") } else { "color.rgb".into() },

@@ -6,7 +6,7 @@ use super::FixedProgram;
 use super::environment::{self, Base, Mode};
 use super::slots::Slot;
 use super::text::Text;
-use crate::program::{Input, Interface, Output, Program, Shortcut, Stage, Varying};
+use crate::program::{Input, Interface, Modulate, Output, Program, Shortcut, Stage, Varying};
 use crate::raster::layout::interpolation;
 
 /// Fog equation.
@@ -201,12 +201,25 @@ fn smooth(b: &mut Build) {
     b.t.line("color.a = color.a * coverage;");
 }
 
+/// What may be done instead of running the program.
+fn shortcut(key: &FragmentKey) -> Shortcut {
+    if key.source != Source::Color || key.color_sum || key.fog != Fog::None || key.smooth != Smooth::None {
+        return Shortcut::None;
+    }
+    let mut enabled = key.units.iter().filter(|u| u.enabled);
+    match (enabled.next(), enabled.next()) {
+        (None, _) => Shortcut::Varying(0),
+        (Some(unit), None) if unit.mode == Mode::Modulate && !unit.cube => {
+            Shortcut::Modulate(Modulate { lod: unit.lod, parts: [unit.base.has_color(), unit.base.has_alpha()] })
+        }
+        _ => Shortcut::None,
+    }
+}
+
 fn finish(b: Build) -> FixedProgram {
     let inputs = (0..b.inputs.len()).map(|k| format!("i{k}: vec4<f32>"));
     let textures = b.key.units.iter().filter(|u| u.enabled).count() as u32;
-    let plain =
-        b.key.source == Source::Color && textures == 0 && !b.key.color_sum && b.key.fog == Fog::None && b.key.smooth == Smooth::None;
-    let shortcut = if plain { Shortcut::Varying(0) } else { Shortcut::None };
+    let shortcut = shortcut(&b.key);
     let wgsl = format!(
         "{}{}fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut {{\n    var out: FragmentOut;\n{}    return out;\n}}\n",
         Text::structure("FragmentIn", inputs),
