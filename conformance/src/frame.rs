@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::flip::mean_flip;
 
 /// The result of a scene: pixels bottom row first.
+#[derive(Clone)]
 pub struct Frame {
     /// Columns.
     pub width: usize,

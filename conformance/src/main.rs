@@ -9,10 +9,14 @@ mod compare;
 mod expectations;
 mod flip;
 mod frame;
+mod machine;
+mod oracle;
 mod order;
+mod recording;
 mod report;
 mod runner;
 mod start;
+mod stiff;
 mod timing;
 
 use std::process::ExitCode;
@@ -62,6 +66,8 @@ enum Command {
     Clients(clients::Options),
     /// Time from process start to the first frame.
     Start(start::Options),
+    /// Stiff and extreme cases against an exact oracle; writes report/stiff.html and report/stiff.json.
+    Stiff(stiff::Options),
 }
 
 fn main() -> ExitCode {
@@ -71,6 +77,7 @@ fn main() -> ExitCode {
         Command::Order(options) => order::main(&options),
         Command::Clients(options) => clients::main(&options),
         Command::Start(options) => start::main(&options),
+        Command::Stiff(options) => stiff::main(&options),
     };
     match outcome {
         Ok(true) => ExitCode::SUCCESS,

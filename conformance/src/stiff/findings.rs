@@ -1,0 +1,53 @@
+//! Where Tepui's CPU executor is more exact than OSMesa and where less, out of the numbers of a run, with what we know of the cause.
+
+use super::run::{Outcome, Result_};
+
+/// One number in which the two differ, over all severities of a family.
+pub struct Finding {
+    /// The family.
+    pub family: &'static str,
+    /// What differs, with its unit.
+    pub metric: &'static str,
+    /// Tepui's, OSMesa's.
+    pub values: [f64; 2],
+    /// Why, as far as it is known.
+    pub why: &'static str,
+}
+
+/// What we know of causes: family, metric, text.
+const CAUSES: &[(&str, &str, &str)] = &[];
+
+/// A number of one severity, and how numbers of several severities are put together.
+type Metric = (&'static str, fn(&Outcome) -> f64, fn(f64, f64) -> f64);
+
+const METRICS: [Metric; 7] = [
+    ("wrong samples", |o| o.score.counts.wrong as f64, |a, b| a + b),
+    ("samples off the snapped rule", |o| o.score.counts.off_rule as f64, |a, b| a + b),
+    ("images that crashed, hung or ended in an error", |o| o.failures.len() as f64, |a, b| a + b),
+    ("largest colour error, in 1/255", |o| o.score.color.max, f64::max),
+    ("sum of mean colour errors, in 1/255", |o| o.score.color.mean(), |a, b| a + b),
+    ("largest depth error, in units", |o| o.score.depth.max, f64::max),
+    ("sum of mean depth errors, in units", |o| o.score.depth.mean(), |a, b| a + b),
+];
+
+fn total(result: &Result_, implementation: &str, metric: &Metric) -> Option<f64> {
+    let outcomes = result.steps.iter().flat_map(|s| &s.outcomes).filter(|o| o.implementation == implementation);
+    outcomes.map(metric.1).reduce(metric.2)
+}
+
+/// Where Tepui is the more exact, and where it is the less exact. Differences of less than two percent are none.
+pub fn findings(results: &[Result_]) -> [Vec<Finding>; 2] {
+    let mut out = [Vec::new(), Vec::new()];
+    for result in results {
+        for metric in &METRICS {
+            let (Some(tepui), Some(osmesa)) = (total(result, "cpu", metric), total(result, "osmesa", metric)) else { continue };
+            if (tepui - osmesa).abs() <= 0.02 * tepui.max(osmesa) {
+                continue;
+            }
+            let cause = CAUSES.iter().find(|c| c.0 == result.family && metric.0.contains(c.1));
+            let why = cause.map_or("Not examined.", |c| c.2);
+            out[usize::from(tepui > osmesa)].push(Finding { family: result.family, metric: metric.0, values: [tepui, osmesa], why });
+        }
+    }
+    out
+}
