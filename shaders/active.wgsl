@@ -6,26 +6,26 @@
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let slot = group.x + group.y * 32768u;
-    if (slot >= tp_lists[1]) {
+    if (slot >= atomicLoad(&tp_lists[1])) {
         return;
     }
-    let bin = tp_lists[tp.active_base + slot];
-    let first = tp_lists[tp.bin_base + bin * 2u];
-    let blocks = (tp_lists[tp.bin_base + bin * 2u + 1u] + 31u) / 32u;
+    let bin = atomicLoad(&tp_lists[tp.active_base + slot]);
+    let first = atomicLoad(&tp_lists[tp.bin_base + bin * 2u]);
+    let blocks = (atomicLoad(&tp_lists[tp.bin_base + bin * 2u + 1u]) + 31u) / 32u;
     var tile = lane;
     loop {
         var any_triangle = 0u;
         var block = 0u;
         loop {
-            any_triangle = tp_lists[tp.tile_base + (first + block) * 64u + tile];
+            any_triangle = atomicLoad(&tp_lists[tp.tile_base + (first + block) * 64u + tile]);
             continuing {
                 block++;
                 break if any_triangle != 0u || block >= blocks;
             }
         }
         if (any_triangle != 0u) {
-            let at = atomicAdd(&tp_indirect[8], 1u);
-            tp_lists[tp.work_base + at] = bin * 64u + tile;
+            let at = atomicAdd(&tp_lists[2], 1u);
+            atomicStore(&tp_lists[tp.work_base + at], bin * 64u + tile);
             atomicMax(&tp_indirect[9], min(at + 1u, 32768u));
             atomicMax(&tp_indirect[10], at / 32768u + 1u);
         }

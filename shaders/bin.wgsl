@@ -22,10 +22,10 @@ fn tp_outside(base: u32, corner: vec2<i32>) -> bool {
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     let index = id.x + id.y * groups.x * TP_LANES;
-    if (index >= tp.triangle_count) {
+    if (index >= tp_triangle_count()) {
         return;
     }
-    let base = (tp.first_triangle + index) * TP_TRIANGLE_WORDS;
+    let base = (tp_first_triangle() + index) * TP_TRIANGLE_WORDS;
     let columns = tp_triangles[base + TP_TRIANGLE_COLUMNS];
     let rows = tp_triangles[base + TP_TRIANGLE_ROWS];
     let x0 = (columns & 0xffffu) >> 6u;
@@ -36,6 +36,7 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
         return;
     }
     let bit = 1u << (index & 31u);
+    let blocks = tp_blocks();
     // Boxes of up to 2 x 2 bins touch nearly all of them: the test would cost more than it saves.
     let test = (x1 - x0 + 1u) * (y1 - y0 + 1u) > 4u;
     var x = x0;
@@ -46,7 +47,7 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
             skip = tp_outside(base, vec2<i32>(i32(x * 64u), i32(y * 64u)));
         }
         if (!skip) {
-            atomicOr(&tp_lists[tp.mask_base + (y * tp.bins.x + x) * tp.blocks + (index >> 5u)], bit);
+            atomicOr(&tp_lists[tp.mask_base + (y * tp.bins.x + x) * blocks + (index >> 5u)], bit);
         }
         continuing {
             let wrap = x == x1;

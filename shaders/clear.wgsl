@@ -1,10 +1,12 @@
 // A lane a pixel of the clear's rectangle.
 
+@group(1) @binding(0) var<storage, read_write> tp_indirect: array<u32>;
+
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(global_invocation_id) id: vec3<u32>) {
     let x = i32(id.x) + tp.clear_min.x;
     let y = i32(id.y) + tp.clear_min.y;
-    if (x >= tp.clear_max.x) {
+    if (x >= tp.clear_max.x || tp_indirect[TP_FAILED] != 0u) {
         return;
     }
     let at = u32(y) * tp.size.x + u32(x);

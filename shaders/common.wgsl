@@ -7,10 +7,6 @@
 struct TpParams {
     size: vec2<u32>,
     bins: vec2<u32>,
-    first_triangle: u32,
-    triangle_count: u32,
-    blocks: u32,
-    supers: u32,
     mask_base: u32,
     count_base: u32,
     bin_base: u32,
@@ -18,12 +14,13 @@ struct TpParams {
     list_base: u32,
     tile_base: u32,
     entry_base: u32,
+    work_base: u32,
     list_blocks: u32,
     top_first: u32,
     draws: u32,
-    work_base: u32,
-    reserved1: u32,
-    reserved2: u32,
+    segment: u32,
+    // -0, see tp_mul.
+    zero: f32,
     depth_max: u32,
     clear_depth: u32,
     clear_depth_mask: u32,
@@ -31,6 +28,7 @@ struct TpParams {
     clear_max: vec2<i32>,
     clear_color: vec4<u32>,
     clear_mask: vec4<u32>,
+    action: u32,
 }
 
 @group(0) @binding(0) var<storage, read> uniforms: array<vec4<f32>>;
@@ -45,37 +43,28 @@ struct TpParams {
 @group(0) @binding(5) var<storage, read_write> tp_color: array<u32>;
 @group(0) @binding(6) var<storage, read_write> tp_depth: array<u32>;
 @group(0) @binding(7) var<storage, read> tp_texels: array<u32>;
-@group(0) @binding(8) var<uniform> tp: TpParams;
+// The segments' triangles, TP_SEGMENT_WORDS each: first triangle, triangles, blocks of 32, super blocks of 1024.
+@group(0) @binding(8) var<storage, read> tp_segments: array<u32>;
+@group(0) @binding(9) var<uniform> tp: TpParams;
 
-// Low and high word of a * b, signed.
-fn tp_mul64(a: i32, b: i32) -> vec2<u32> {
-    let ua = bitcast<u32>(a);
-    let ub = bitcast<u32>(b);
-    let al = ua & 0xffffu;
-    let ah = ua >> 16u;
-    let bl = ub & 0xffffu;
-    let bh = ub >> 16u;
-    let ll = al * bl;
-    let m = ah * bl + (ll >> 16u);
-    let n = al * bh + (m & 0xffffu);
-    var high = ah * bh + (m >> 16u) + (n >> 16u);
-    // The unsigned product counts a negative factor 2^32 too often.
-    high -= select(0u, ub, a < 0) + select(0u, ua, b < 0);
-    return vec2<u32>((n << 16u) | (ll & 0xffffu), high);
+fn tp_zero() -> f32 {
+    return tp.zero;
 }
 
-// floor((a*b - c*d - bias) / 2^shift), saturated to +-2^30: an edge function in whole steps of 2^shift subpixels.
-fn tp_edge_floor(a: i32, b: i32, c: i32, d: i32, bias: u32, shift: u32) -> i32 {
-    let p = tp_mul64(a, b);
-    let q = tp_mul64(c, d);
-    var low = p.x - q.x;
-    var high = p.y - q.y - select(0u, 1u, p.x < q.x);
-    high -= select(0u, 1u, low < bias);
-    low -= bias;
-    let h = bitcast<i32>(high);
-    let inside = (high << (32u - shift)) | (low >> shift);
-    let limit = 1i << (shift - 2u);
-    return select(select(bitcast<i32>(inside), 0x40000000, h >= limit), -0x40000000, h < -limit);
+fn tp_first_triangle() -> u32 {
+    return tp_segments[tp.segment * TP_SEGMENT_WORDS];
+}
+
+fn tp_triangle_count() -> u32 {
+    return tp_segments[tp.segment * TP_SEGMENT_WORDS + 1u];
+}
+
+fn tp_blocks() -> u32 {
+    return tp_segments[tp.segment * TP_SEGMENT_WORDS + 2u];
+}
+
+fn tp_supers() -> u32 {
+    return tp_segments[tp.segment * TP_SEGMENT_WORDS + 3u];
 }
 
 // Edge function i of a triangle: dx * (y - y_i) - dy * (x - x_i), with dx = x_i - x_j, dy = y_i - y_j, j the next vertex;
@@ -84,21 +73,4 @@ fn tp_edge_floor(a: i32, b: i32, c: i32, d: i32, bias: u32, shift: u32) -> i32 {
 fn tp_edge_bias(dx: i32, dy: i32) -> u32 {
     let bottom = select(dx > 0, dx < 0, tp.top_first != 0u);
     return select(1u, 0u, dy < 0 || (dy == 0 && bottom));
-}
-
-// a * b + c, rounded once. Mesa's lavapipe splits fma, so there it is worked out in double precision: the product is exact.
-fn tp_fma(a: f32, b: f32, c: f32) -> f32 {
-//#if FMA64
-    return f32(f64(a) * f64(b) + f64(c));
-//#else
-    return fma(a, b, c);
-//#endif
-}
-
-fn tp_fma4(a: f32, b: vec4<f32>, c: vec4<f32>) -> vec4<f32> {
-//#if FMA64
-    return vec4<f32>(tp_fma(a, b.x, c.x), tp_fma(a, b.y, c.y), tp_fma(a, b.z, c.z), tp_fma(a, b.w, c.w));
-//#else
-    return fma(vec4<f32>(a), b, c);
-//#endif
 }

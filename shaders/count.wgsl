@@ -3,14 +3,16 @@
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     let index = id.x + id.y * groups.x * TP_LANES;
-    if (index >= tp.bins.x * tp.bins.y * tp.supers) {
+    let supers = tp_supers();
+    let blocks = tp_blocks();
+    if (index >= tp.bins.x * tp.bins.y * supers) {
         return;
     }
-    let bin = index / tp.supers;
-    let super_block = index - bin * tp.supers;
+    let bin = index / supers;
+    let super_block = index - bin * supers;
     let first = super_block * 32u;
-    let end = min(first + 32u, tp.blocks);
-    let base = tp.mask_base + bin * tp.blocks;
+    let end = min(first + 32u, blocks);
+    let base = tp.mask_base + bin * blocks;
     var count = 0u;
     var block = first;
     loop {

@@ -4,22 +4,25 @@
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     let index = id.x + id.y * groups.x * TP_LANES;
-    if (index >= tp.bins.x * tp.bins.y * tp.supers) {
+    let supers = tp_supers();
+    let blocks = tp_blocks();
+    if (index >= tp.bins.x * tp.bins.y * supers) {
         return;
     }
+    let first_triangle = tp_first_triangle();
     let fits = tp_lists[0] <= tp.list_blocks;
-    let bin = index / tp.supers;
-    let super_block = index - bin * tp.supers;
+    let bin = index / supers;
+    let super_block = index - bin * supers;
     let first = super_block * 32u;
-    let end = min(first + 32u, tp.blocks);
-    let base = tp.mask_base + bin * tp.blocks;
+    let end = min(first + 32u, blocks);
+    let base = tp.mask_base + bin * blocks;
     var at = tp.list_base + tp_lists[tp.bin_base + bin * 2u] * 32u + tp_lists[tp.count_base + index];
     var block = first;
     var bits = tp_lists[base + block];
     loop {
         if (bits != 0u) {
             if (fits) {
-                tp_lists[at] = tp.first_triangle + block * 32u + countTrailingZeros(bits);
+                tp_lists[at] = first_triangle + block * 32u + countTrailingZeros(bits);
             }
             at++;
             bits &= bits - 1u;

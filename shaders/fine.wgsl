@@ -16,7 +16,11 @@ var<private> tp_depths: array<u32, TP_ROWS>;
 
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let work = tp_lists[tp.work_base + group.x + group.y * 32768u];
+    let slot = group.x + group.y * 32768u;
+    if (slot >= tp_lists[2]) {
+        return;
+    }
+    let work = tp_lists[tp.work_base + slot];
     let bin = work >> 6u;
     let tile = work & 63u;
     let origin = vec2<u32>((bin % tp.bins.x) * 64u + (tile & 7u) * 8u, (bin / tp.bins.x) * 64u + (tile >> 3u) * 8u);

@@ -8,6 +8,7 @@ var<workgroup> tp_sums: array<vec2<u32>, TP_LANES>;
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(local_invocation_index) lane: u32) {
     let bins = tp.bins.x * tp.bins.y;
+    let supers = tp_supers();
     let share = (bins + TP_LANES - 1u) / TP_LANES;
     let first = min(lane * share, bins);
     let end = min(first + share, bins);
@@ -15,8 +16,8 @@ fn tp_main(@builtin(local_invocation_index) lane: u32) {
     var sum = vec2<u32>(0u);
     for (var bin = first; bin < end; bin++) {
         var total = 0u;
-        let base = tp.count_base + bin * tp.supers;
-        for (var s = 0u; s < tp.supers; s++) {
+        let base = tp.count_base + bin * supers;
+        for (var s = 0u; s < supers; s++) {
             let count = tp_lists[base + s];
             tp_lists[base + s] = total;
             total += count;
@@ -42,8 +43,12 @@ fn tp_main(@builtin(local_invocation_index) lane: u32) {
         }
     }
     if (lane == TP_LANES - 1u) {
-        // Lists that do not fit are not drawn; the host sees the flag and draws the batch in smaller pieces.
-        let failed = total.x > tp.list_blocks;
+        // Lists that do not fit are not drawn, nor anything after them: the host draws the rest with more room or in smaller pieces.
+        if (total.x > tp.list_blocks && tp_indirect[TP_FAILED] == 0u) {
+            tp_indirect[TP_FAILED] = tp.action + 1u;
+            tp_indirect[TP_FAILED + 6u] = total.x;
+        }
+        let failed = tp_indirect[TP_FAILED] != 0u;
         let blocks = select(total.x, 0u, failed);
         let drawn = select(total.y, 0u, failed);
         tp_indirect[0] = min(blocks, 32768u);
@@ -52,12 +57,12 @@ fn tp_main(@builtin(local_invocation_index) lane: u32) {
         tp_indirect[4] = min(drawn, 32768u);
         tp_indirect[5] = (drawn + 32767u) / 32768u;
         tp_indirect[6] = 1u;
-        // The active stage counts the fine stage's workgroups here.
-        tp_indirect[8] = 0u;
+        // The active stage counts the fine stage's workgroups: here, and in the third word of the lists.
         tp_indirect[9] = 0u;
         tp_indirect[10] = 1u;
         tp_indirect[11] = 1u;
         tp_lists[0] = total.x;
         tp_lists[1] = drawn;
+        tp_lists[2] = 0u;
     }
 }

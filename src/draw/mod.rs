@@ -20,6 +20,8 @@ use texture::TextureBinding;
 pub struct Draw {
     /// Everything that is words.
     pub record: DrawRecord,
+    /// Its first primitive; it has all up to the next draw's.
+    pub first_primitive: u32,
     /// The vertex program.
     pub vertex_program: Arc<Program>,
     /// The fragment program.
@@ -80,4 +82,12 @@ pub struct Batch {
     pub steps: Vec<Step>,
     /// vec4 of shaded vertices that the vertex stage will write.
     pub shaded_vec4: u32,
+}
+
+impl Batch {
+    /// The primitives of a draw.
+    pub fn draw_primitives(&self, draw: usize) -> std::ops::Range<u32> {
+        let end = self.draws.get(draw + 1).map_or(self.primitives.len() as u32, |next| next.first_primitive);
+        self.draws[draw].first_primitive..end
+    }
 }

@@ -364,6 +364,7 @@ impl Recorder {
         record.constants = self.blocks.intern_block(&constants, &mut self.batch.uniforms);
         self.batch.draws.push(Draw {
             record,
+            first_primitive: self.batch.primitives.len() as u32,
             vertex_program: prepared.vertex_program.clone(),
             fragment_program: prepared.fragment_program.clone(),
         });

@@ -7,6 +7,7 @@
 //! ```wgsl
 //! @group(0) @binding(0) var<storage, read> uniforms: array<vec4<f32>>;
 //! fn texture_sample(slot: u32, coord: vec4<f32>, ddx: vec4<f32>, ddy: vec4<f32>) -> vec4<f32>   // intrinsic
+//! fn product(a: vec4<f32>, b: f32) -> vec4<f32>   // intrinsic: a * b, which no compiler joins with a sum that follows
 //! struct VertexIn { a0: vec4<f32>, a3: vec4<f32>, ... }             // the attributes it reads, by slot number
 //! struct VertexOut { position: vec4<f32>, o0: vec4<f32>, ... }      // `outputs`, in their order
 //! fn vertex_main(in: VertexIn, base: u32) -> VertexOut              // `base`: first vec4 of its uniform block
@@ -14,7 +15,7 @@
 //! struct FragmentOut { color: vec4<f32>, depth: f32, keep: bool }   // depth only if it writes depth, keep only if it discards
 //! fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut
 //! ```
-//! [`Program::wgsl`] is the text without the first two lines (whoever splices it provides them) and defines no other name at
+//! [`Program::wgsl`] is the text without the first three lines (whoever splices it provides them) and defines no other name at
 //! module scope than those six.
 
 use std::sync::OnceLock;
@@ -125,6 +126,7 @@ pub struct Program {
 /// What stands before a program's text when naga reads it.
 pub const PRELUDE: &str = "@group(0) @binding(0) var<storage, read> uniforms: array<vec4<f32>>;
 fn texture_sample(slot: u32, coord: vec4<f32>, ddx: vec4<f32>, ddy: vec4<f32>) -> vec4<f32> { return coord; }
+fn product(a: vec4<f32>, b: f32) -> vec4<f32> { return a * b; }
 ";
 
 /// Everything of a program but what is computed from its text.

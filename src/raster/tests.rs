@@ -148,7 +148,7 @@ fn draw(vertices: &[[[f32; 4]; 2]], topology: u32, flags: u32, threads: usize, l
     let count = vertices.len() as u32 / each;
     let clear = Clear { min: [0; 2], max: [width as i32, height as i32], color: [0.0; 4], color_mask: 15, depth: Some(1.0), stencil: None };
     let batch = Batch {
-        draws: vec![Draw { record, vertex_program: program.clone(), fragment_program: program }],
+        draws: vec![Draw { record, first_primitive: 0, vertex_program: program.clone(), fragment_program: program }],
         raster_states: vec![raster],
         fragment_states: vec![state],
         primitives: (0..count).map(primitive).collect(),

@@ -13,6 +13,10 @@ pub struct Shape {
     pub subgroup8: bool,
     /// The driver splits `fma`, and there are doubles to work it out with.
     pub fma64: bool,
+    /// The driver may fuse products with sums.
+    pub fuses: bool,
+    /// Vertices, clipping and set-up are done by the Rust twins on the host: where the "GPU" is the same processor, they are faster.
+    pub host_front: bool,
 }
 
 /// An open device.
@@ -25,6 +29,8 @@ pub struct Gpu {
     pub info: wgpu::AdapterInfo,
     /// Kernel shape.
     pub shape: Shape,
+    /// Most bytes of a buffer that depends on a batch's size.
+    pub buffer_limit: u64,
 }
 
 /// True where a machine may have a GPU at all: looked for in /dev, before Vulkan is loaded (which takes 100 ms).
@@ -63,6 +69,9 @@ pub fn hardware_adapter_present() -> bool {
     adapter().is_ok_and(|a| rank(&a) < 4)
 }
 
+/// Most bytes of a buffer that grows with a batch; larger batches are drawn in slices.
+const BUFFER_LIMIT: u64 = 256 << 20;
+
 fn open() -> Result<Gpu, String> {
     let adapter = adapter()?;
     let info = adapter.get_info();
@@ -84,19 +93,27 @@ fn open() -> Result<Gpu, String> {
     let cpu = info.device_type == wgpu::DeviceType::Cpu;
     // Every GPU fuses; Mesa's software driver does not.
     let fma64 = cpu && features.contains(wgpu::Features::SHADER_F64);
+    let fuses = !cpu;
     let mut shape = if cpu {
         let subgroup8 = features.contains(wgpu::Features::SUBGROUP) && info.subgroup_min_size == 8 && info.subgroup_max_size == 8;
-        Shape { fine_lanes: 8, list_lanes: 8, subgroup8, fma64 }
+        Shape { fine_lanes: 8, list_lanes: 8, subgroup8, fma64, fuses, host_front: cpu }
     } else {
-        Shape { fine_lanes: 64, list_lanes: 64, subgroup8: false, fma64 }
+        Shape { fine_lanes: 64, list_lanes: 64, subgroup8: false, fma64, fuses, host_front: cpu }
     };
     // For tests of the other shapes on one machine.
     match std::env::var("TEPUI_GPU_SHAPE").as_deref() {
-        Ok("64") => shape = Shape { fine_lanes: 64, list_lanes: 64, subgroup8: false, fma64 },
-        Ok("8") => shape = Shape { fine_lanes: 8, list_lanes: 8, subgroup8: false, fma64 },
+        Ok("64") => shape = Shape { fine_lanes: 64, list_lanes: 64, subgroup8: false, fma64, fuses, host_front: cpu },
+        Ok("8") => shape = Shape { fine_lanes: 8, list_lanes: 8, subgroup8: false, fma64, fuses, host_front: cpu },
         _ => {}
     }
-    Ok(Gpu { device, queue, info, shape })
+    match std::env::var("TEPUI_GPU_FRONT").as_deref() {
+        Ok("host") => shape.host_front = true,
+        Ok("kernels") => shape.host_front = false,
+        _ => {}
+    }
+    let limit = std::env::var("TEPUI_GPU_BUFFER_LIMIT").ok().and_then(|v| v.parse().ok()).unwrap_or(BUFFER_LIMIT);
+    let buffer_limit = limit.min(device.limits().max_storage_buffer_binding_size);
+    Ok(Gpu { device, queue, info, shape, buffer_limit })
 }
 
 /// The process's device.

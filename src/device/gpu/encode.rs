@@ -1,16 +1,20 @@
-//! A batch becomes a plan: its records as words, and steps, each a clear or a segment of triangles that one fine
-//! kernel can draw.
+//! A batch becomes a plan: its records as words, and actions in order, each a clear, a slice of primitives to set up, or a segment of
+//! triangles that one fine kernel can draw.
 
 use std::collections::HashMap;
 
 use bytemuck::cast_slice;
 
-use super::front::HostFront;
-use super::kernels::{BlendKey, FineKey, feature};
-use super::params::Params;
+use super::adapter::Shape;
+use super::fine::{FineKey, feature};
+use super::front::Slice;
+use super::host_front::HostFront;
+use super::params::{FrontParams, Params, SEGMENT_WORDS};
 use super::records::{DRAW_WORDS, pack_draw};
-use super::texture::{Heap, TextureClass};
-use crate::device::{ColorFormat, DepthFormat, SurfaceFormat};
+use super::room::Room;
+use super::segment::{DrawNeeds, Segment, needs, served_flags};
+use super::texture::Heap;
+use crate::device::{DepthFormat, SurfaceFormat};
 use crate::draw::{Batch, Clear, Step};
 use crate::raster::layout::*;
 use crate::raster::{blend::mask_bits, formats};
@@ -19,154 +23,72 @@ use crate::raster::{blend::mask_bits, formats};
 pub const ENTRY_WORDS: u32 = 12;
 /// Words of the list buffer in front of the masks.
 pub const LIST_HEAD: u32 = 16;
-/// Most blocks of 32 entries in the lists of one segment: their words fit a binding of 128 MiB beside the rest.
-const MOST_LIST_BLOCKS: u64 = 56_000;
-/// Most words of masks.
-const MOST_MASK_WORDS: u64 = 8 << 20;
 
-/// A step of a plan.
+/// What to do.
 pub enum Action {
     /// Clear; its parameters are complete.
     Clear(Params),
-    /// Draw a segment: its parameters but for the list buffer's offsets, its kernel, and the draw that names its program.
-    Draw(Params, Box<FineKey>, u32),
+    /// Cull, set up and clip the primitives of the segments that follow; its parameters, what the kernels contain (`stage::front`), and
+    /// whether a primitive may leave the view volume at all.
+    Front(FrontParams, u32),
+    /// Draw a segment.
+    Draw(Box<DrawAction>),
+}
+
+/// A segment to draw.
+pub struct DrawAction {
+    /// Parameters but for the list buffer's offsets.
+    pub params: Params,
+    /// Its kernel.
+    pub key: FineKey,
+    /// The draw that names its program.
+    pub draw: u32,
+    /// Triangles, where the host has set them up: the list stages' sizes are known.
+    pub triangles: Option<u32>,
+    /// Blocks of 32 triangles that it may have.
+    pub blocks: u32,
+}
+
+/// Where in the batch an action begins: step and primitive. A batch that stopped there goes on there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// Index of the step.
+    pub step: usize,
+    /// Index of the primitive.
+    pub primitive: u32,
 }
 
 /// A batch ready for the GPU.
 #[derive(Default)]
 pub struct Plan {
-    /// Draw records, states, texture bindings and stipples as words.
+    /// Draw records, states, texture bindings and stipples as words: what the fine stage reads.
     pub records: Vec<u32>,
+    /// Records of the segments whose triangles the host has set up; as many words for the others.
+    pub segments: Vec<u32>,
     /// What to do, in order.
-    pub actions: Vec<Action>,
+    pub actions: Vec<(Place, Action)>,
     /// Words of masks that the largest segment needs.
     pub mask_words: u32,
 }
 
-/// What a draw asks of the fine kernel.
-#[derive(Clone)]
-struct DrawNeeds {
-    program: u64,
-    features: u32,
-    /// Flags of the fragment state that decide between features.
-    flags: u32,
-    blend: Option<([u32; 4], [u32; 2])>,
-    depth_func: u32,
-    textures: Vec<TextureClass>,
-}
-
-/// The fragment flags of a draw that the surface's buffers can serve.
-fn served_flags(batch: &Batch, index: usize, format: SurfaceFormat) -> u32 {
-    let mut flags = batch.fragment_states[batch.draws[index].record.fragment_state as usize].flags;
-    if format.depth == DepthFormat::None {
-        flags &= !(fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE);
-    }
-    if !format.stencil {
-        flags &= !fragment_flags::STENCIL_TEST;
-    }
-    if format.color == ColorFormat::Rgba32f {
-        flags &= !fragment_flags::LOGIC_OP;
-    }
-    flags
-}
-
-fn needs(batch: &Batch, index: usize, format: SurfaceFormat) -> DrawNeeds {
-    let draw = &batch.draws[index];
-    let state = &batch.fragment_states[draw.record.fragment_state as usize];
-    let raster = &batch.raster_states[draw.record.raster_state as usize];
-    let program = &*draw.fragment_program;
-    let flags = served_flags(batch, index, format);
-    let on = |bit: u32| flags & bit != 0;
-    let mut features = 0;
-    let mut set = |bit: u32, on: bool| features |= if on { bit } else { 0 };
-    set(feature::DEPTH_TEST, on(fragment_flags::DEPTH_TEST));
-    set(feature::DEPTH_WRITE, on(fragment_flags::DEPTH_TEST) && on(fragment_flags::DEPTH_WRITE));
-    set(feature::STENCIL_TEST, on(fragment_flags::STENCIL_TEST));
-    set(feature::DEPTH_BUFFER, on(fragment_flags::DEPTH_TEST) || on(fragment_flags::STENCIL_TEST));
-    set(feature::ALPHA_TEST, on(fragment_flags::ALPHA_TEST));
-    set(feature::STIPPLE, batch.polygon_stipples.len() > raster.polygon_stipple as usize);
-    let color = state.color_mask & 15 != 0;
-    set(feature::COLOR_WRITE, color);
-    set(feature::COLOR_MASK, color && state.color_mask & 15 != 15);
-    set(feature::BLEND, color && on(fragment_flags::BLEND));
-    set(feature::LOGIC_OP, color && on(fragment_flags::LOGIC_OP));
-    set(feature::SHADES, color || on(fragment_flags::ALPHA_TEST) || program.discards || program.writes_depth);
-    let shades = color || on(fragment_flags::ALPHA_TEST) || program.discards || program.writes_depth;
-    let first = draw.record.first_texture as usize;
-    let slots = if shades { program.texture_slots as usize } else { 0 };
-    let textures = (first..first + slots).map(|k| batch.textures.get(k).map_or(TextureClass::NONE, TextureClass::new)).collect();
-    let blend = (color && on(fragment_flags::BLEND)).then_some((state.blend_factors, state.blend_equations));
-    let deciding = fragment_flags::DEPTH_TEST
-        | fragment_flags::DEPTH_WRITE
-        | fragment_flags::STENCIL_TEST
-        | fragment_flags::ALPHA_TEST
-        | fragment_flags::BLEND
-        | fragment_flags::LOGIC_OP;
-    DrawNeeds { program: program.id, features, flags: flags & deciding, blend, depth_func: state.depth_func, textures }
-}
-
-/// A segment that grows draw by draw.
-struct Segment {
-    key: FineKey,
-    flags: u32,
-    draw: u32,
-    first: usize,
-    touches: u64,
-}
-
-impl Segment {
-    fn new(needs: &DrawNeeds, format: SurfaceFormat, draw: u32, first: usize) -> Segment {
-        let blend = needs.blend.map_or(BlendKey::Fixed([0; 4], [0; 2]), |(f, e)| BlendKey::Fixed(f, e));
-        let key = FineKey {
-            program: needs.program,
-            color: format.color,
-            features: needs.features,
-            blend,
-            depth_func: Some(needs.depth_func),
-            depth_bits: format.depth.bits(),
-            textures: needs.textures.clone(),
-        };
-        Segment { key, flags: needs.flags, draw, first, touches: 0 }
+impl Plan {
+    fn push(&mut self, place: Place, action: Action) {
+        self.actions.push((place, action));
     }
 
-    /// Takes a draw in, if one kernel can serve it too.
-    fn admit(&mut self, needs: &DrawNeeds, batch: &Batch, draw: u32) -> bool {
-        let shades = feature::SHADES;
-        let (ours, theirs) = (&batch.draws[self.draw as usize].fragment_program, &batch.draws[draw as usize].fragment_program);
-        let same = ours.id == theirs.id;
-        // Flat and smooth shading run the same text over the same inputs.
-        if !same && (ours.inputs != theirs.inputs || ours.varyings.len() != theirs.varyings.len() || ours.wgsl != theirs.wgsl) {
-            return false;
+    fn draw(&mut self, place: Place, segment: Segment, mut params: Params, triangles: Option<u32>, blocks: u32, list_blocks: u32) {
+        let bins = params.bins[0] * params.bins[1];
+        params.segment = self.segments.len() as u32 / SEGMENT_WORDS;
+        params.action = self.actions.len() as u32;
+        params.list_blocks = list_blocks;
+        let mut words = [0; SEGMENT_WORDS as usize];
+        if let Some(n) = triangles {
+            words[1..4].copy_from_slice(&[n, blocks, blocks.div_ceil(32)]);
         }
-        if self.key.textures != needs.textures || (self.key.features ^ needs.features) & shades != 0 {
-            return false;
-        }
-        if !same {
-            self.key.features |= feature::MIXED_INTERPOLATION;
-        }
-        if needs.flags != self.flags {
-            self.key.features |= feature::MIXED;
-        }
-        // Colours that some draws do not write at all: their mask says so.
-        if (self.key.features ^ needs.features) & feature::COLOR_WRITE != 0 {
-            self.key.features |= feature::COLOR_MASK;
-        }
-        if needs.features & feature::DEPTH_TEST != 0 {
-            if self.key.features & feature::DEPTH_TEST == 0 {
-                self.key.depth_func = Some(needs.depth_func);
-            } else if self.key.depth_func != Some(needs.depth_func) {
-                self.key.depth_func = None;
-            }
-        }
-        if let Some((f, e)) = needs.blend {
-            if self.key.features & feature::BLEND == 0 {
-                self.key.blend = BlendKey::Fixed(f, e);
-            } else if self.key.blend != BlendKey::Fixed(f, e) {
-                self.key.blend = BlendKey::Dynamic;
-            }
-        }
-        self.key.features |= needs.features;
-        true
+        self.segments.extend(words);
+        self.mask_words = self.mask_words.max(bins * blocks);
+        let draw = segment.draw;
+        self.push(place, Action::Draw(Box::new(DrawAction { params, key: segment.finish(), draw, triangles, blocks })));
     }
 }
 
@@ -200,94 +122,190 @@ fn align4(words: &mut Vec<u32>) -> u32 {
     words.len() as u32
 }
 
-/// Makes the plan of a batch whose front end has run.
-pub fn plan(batch: &Batch, front: &HostFront, heap: &mut Heap, size: [u32; 2], format: SurfaceFormat) -> Plan {
-    let mut plan = Plan::default();
-    let base = Params {
-        size,
-        bins: size.map(|s| s.div_ceil(BIN_SIZE)),
-        top_first: format.top_first as u32,
-        depth_max: ((1u64 << format.depth.bits()) - 1) as u32,
-        ..Params::default()
-    };
-    let words = &mut plan.records;
-    words.resize(batch.draws.len() * DRAW_WORDS, 0);
-    let stipples = align4(words);
-    words.extend_from_slice(cast_slice(&batch.polygon_stipples));
-    let textures = align4(words);
-    heap.records(&batch.textures, words);
-    for index in 0..batch.draws.len() {
-        let flags = served_flags(batch, index, format);
-        words[index * DRAW_WORDS..][..DRAW_WORDS].copy_from_slice(&pack_draw(batch, index, flags, stipples, textures));
-    }
-
-    let bins = base.bins[0] as u64 * base.bins[1] as u64;
-    let most_triangles = (MOST_MASK_WORDS / bins.max(1)).max(32) as usize * 32;
-    let mut known: HashMap<u32, DrawNeeds> = HashMap::new();
-    let mut start = 0;
-    let mut segment: Option<Segment> = None;
-    let mut current = NONE;
-    for (step, &end) in batch.steps.iter().zip(&front.step_ends) {
-        if let Step::Clear(clear) = step {
-            if let Some(s) = segment.take() {
-                finish(&mut plan, s, start, base, bins);
-            }
-            current = NONE;
-            plan.actions.extend(clear_params(clear, base, format).map(Action::Clear));
-            continue;
-        }
-        for index in start..end {
-            let t = &front.triangles[index];
-            let span = |v: u32| ((v >> 16) / BIN_SIZE - (v & 0xffff) / BIN_SIZE + 1) as u64;
-            let touches = span(t.columns) * span(t.rows);
-            let full =
-                segment.as_ref().is_some_and(|s| index - s.first >= most_triangles || (s.touches + touches) / 32 + bins > MOST_LIST_BLOCKS);
-            if t.draw != current || full {
-                current = t.draw;
-                let needs = known.entry(current).or_insert_with(|| needs(batch, current as usize, format));
-                let admitted = !full && segment.as_mut().is_some_and(|s| s.admit(needs, batch, current));
-                if !admitted {
-                    if let Some(s) = segment.take() {
-                        finish(&mut plan, s, index, base, bins);
-                    }
-                    segment = Some(Segment::new(needs, format, current, index));
-                }
-            }
-            if let Some(s) = &mut segment {
-                s.touches += touches;
-                if t.flags & triangle_flags::PERSPECTIVE != 0 {
-                    s.key.features |= feature::PERSPECTIVE;
-                }
-            }
-        }
-        start = end;
-    }
-    if let Some(s) = segment {
-        finish(&mut plan, s, start, base, bins);
-    }
-    plan
+/// What all plans of a surface share.
+pub struct Planner<'a> {
+    /// The batch.
+    pub batch: &'a Batch,
+    /// Columns and rows.
+    pub size: [u32; 2],
+    /// Storage.
+    pub format: SurfaceFormat,
+    /// Kernel shape.
+    pub shape: Shape,
+    /// What fits.
+    pub room: &'a Room,
 }
 
-fn finish(plan: &mut Plan, mut segment: Segment, end: usize, base: Params, bins: u64) {
-    if segment.key.features & feature::DEPTH_TEST == 0 {
-        segment.key.depth_func = None;
+impl Planner<'_> {
+    fn base(&self) -> Params {
+        Params {
+            size: self.size,
+            bins: self.size.map(|s| s.div_ceil(BIN_SIZE)),
+            top_first: self.format.top_first as u32,
+            depth_max: ((1u64 << self.format.depth.bits()) - 1) as u32,
+            zero: -0.0,
+            ..Params::default()
+        }
     }
-    let mut params = base;
-    params.first_triangle = segment.first as u32;
-    params.triangle_count = (end - segment.first) as u32;
-    params.blocks = params.triangle_count.div_ceil(32);
-    params.supers = params.blocks.div_ceil(32);
-    params.list_blocks = (segment.touches / 32 + bins) as u32;
-    plan.mask_words = plan.mask_words.max((bins * params.blocks as u64) as u32);
-    plan.actions.push(Action::Draw(params, Box::new(segment.key), segment.draw));
+
+    /// The records of draws, textures and stipples.
+    fn records(&self, heap: &Heap) -> Vec<u32> {
+        let batch = self.batch;
+        let mut words = vec![0; batch.draws.len() * DRAW_WORDS];
+        let stipples = align4(&mut words);
+        words.extend_from_slice(cast_slice(&batch.polygon_stipples));
+        let textures = align4(&mut words);
+        heap.records(&batch.textures, &mut words);
+        for index in 0..batch.draws.len() {
+            let flags = served_flags(batch, index, self.format);
+            words[index * DRAW_WORDS..][..DRAW_WORDS].copy_from_slice(&pack_draw(batch, index, flags, stipples, textures));
+        }
+        words
+    }
+
+    /// The plan of a batch that the host has set up.
+    pub fn host(&self, front: &HostFront, heap: &Heap) -> Plan {
+        let (batch, format, base) = (self.batch, self.format, self.base());
+        let mut plan = Plan { records: self.records(heap), ..Plan::default() };
+        let bins = base.bins[0] as u64 * base.bins[1] as u64;
+        let most_triangles = self.room.most_blocks(bins as u32) as usize * 32;
+        let mut known: HashMap<u32, DrawNeeds> = HashMap::new();
+        let mut start = 0;
+        for (k, (step, &end)) in batch.steps.iter().zip(&front.step_ends).enumerate() {
+            if let Step::Clear(clear) = step {
+                let place = Place { step: k, primitive: 0 };
+                plan.actions.extend(clear_params(clear, base, format).map(|p| (place, Action::Clear(p))));
+                continue;
+            }
+            // The open segment, its first triangle, and the bins that its triangles may touch.
+            let mut open: Option<(Segment, usize, u64)> = None;
+            let mut current = NONE;
+            let close = |plan: &mut Plan, open: &mut Option<(Segment, usize, u64)>, end: usize| {
+                let Some((segment, first, touches)) = open.take() else { return };
+                let (count, record) = ((end - first) as u32, plan.segments.len());
+                let place = Place { step: k, primitive: front.triangles[first].primitive };
+                plan.draw(place, segment, base, Some(count), count.div_ceil(32), (touches / 32 + bins) as u32);
+                plan.segments[record] = first as u32;
+            };
+            for index in start..end {
+                let t = &front.triangles[index];
+                let span = |v: u32| ((v >> 16) / BIN_SIZE - (v & 0xffff) / BIN_SIZE + 1) as u64;
+                let touched = span(t.columns) * span(t.rows);
+                let full = open.as_ref().is_some_and(|(_, first, touches)| {
+                    index - first >= most_triangles || (touches + touched) / 32 + bins > self.room.most_list_blocks as u64
+                });
+                if t.draw != current || full {
+                    current = t.draw;
+                    let needs = known.entry(current).or_insert_with(|| needs(batch, current as usize, format));
+                    if full || !open.as_mut().is_some_and(|(segment, ..)| segment.admit(needs, batch, current)) {
+                        close(&mut plan, &mut open, index);
+                        open = Some((Segment::new(needs, format, current), index, 0));
+                    }
+                }
+                if let Some((segment, _, touches)) = &mut open {
+                    *touches += touched;
+                    if t.flags & triangle_flags::PERSPECTIVE != 0 {
+                        segment.key.features |= feature::PERSPECTIVE;
+                    }
+                }
+            }
+            close(&mut plan, &mut open, end);
+            start = end;
+        }
+        plan
+    }
+
+    /// The plan of a batch that kernels set up, and the slices' tables, which go behind `table_base` words of the front end's records.
+    pub fn kernels(&self, heap: &Heap, table_base: u32) -> (Plan, Vec<u32>) {
+        let (batch, format, base) = (self.batch, self.format, self.base());
+        let mut plan = Plan { records: self.records(heap), ..Plan::default() };
+        let mut tables = Vec::new();
+        let bins = base.bins[0] * base.bins[1];
+        let most = self.room.most_blocks(bins) * 32;
+        let mut slice: Option<(usize, Slice)> = None;
+        let mut next_draw = 0;
+        for (k, step) in batch.steps.iter().enumerate() {
+            let (first, end) = match *step {
+                Step::Primitives { first, end } => (first, end),
+                Step::Clear(ref clear) => {
+                    let place = Place { step: k, primitive: 0 };
+                    plan.actions.extend(clear_params(clear, base, format).map(|p| (place, Action::Clear(p))));
+                    continue;
+                }
+            };
+            // The open segment, its first primitive, and an estimate of its triangles.
+            let mut open: Option<(Segment, u32, u32)> = None;
+            let mut at = first;
+            while next_draw < batch.draws.len() && batch.draw_primitives(next_draw).end <= at {
+                next_draw += 1;
+            }
+            while at < end {
+                let range = batch.draw_primitives(next_draw);
+                let range = at..range.end.min(end);
+                if range.is_empty() {
+                    next_draw += 1;
+                    continue;
+                }
+                let (place, draw) = (Place { step: k, primitive: at }, next_draw as u32);
+                let needs = needs(batch, next_draw, format);
+                let (_, current) = slice.get_or_insert_with(|| {
+                    // Its parameters are known when it is full.
+                    plan.push(place, Action::Front(FrontParams::default(), 0));
+                    (plan.actions.len() - 1, Slice::new(self.shape, plan.segments.len() as u32 / SEGMENT_WORDS))
+                });
+                let weight = current.weight(batch, next_draw);
+                if !open.as_mut().is_some_and(|(segment, _, triangles)| *triangles + weight <= most && segment.admit(&needs, batch, draw)) {
+                    if let Some((segment, first, triangles)) = open.take() {
+                        self.close(&mut plan, current, Place { step: k, primitive: first }, segment, first..at, triangles);
+                    }
+                    open = Some((Segment::new(&needs, format, draw), at, 0));
+                }
+                let Some((segment, segment_first, triangles)) = &mut open else { continue };
+                segment.key.features |= feature::PERSPECTIVE;
+                let fits = ((most - *triangles) / weight).min(current.fits(self.room, batch, next_draw)).min(range.end - at);
+                *triangles += fits * weight;
+                current.add(batch, next_draw, fits);
+                at += fits;
+                if at < range.end && current.fits(self.room, batch, next_draw) == 0 {
+                    // The slice is full.
+                    let (first, triangles) = (*segment_first, *triangles);
+                    if let (Some((segment, ..)), Some((front, mut full))) = (open.take(), slice.take()) {
+                        if at > first {
+                            self.close(&mut plan, &mut full, Place { step: k, primitive: first }, segment, first..at, triangles);
+                        }
+                        let params = full.finish(self.room, base, &mut tables, table_base, front as u32);
+                        plan.actions[front].1 = Action::Front(params, full.features);
+                    }
+                }
+            }
+            if let (Some((segment, first, triangles)), Some((_, current))) = (open, &mut slice) {
+                self.close(&mut plan, current, Place { step: k, primitive: first }, segment, first..end, triangles);
+            }
+        }
+        if let Some((front, mut last)) = slice {
+            let params = last.finish(self.room, base, &mut tables, table_base, front as u32);
+            plan.actions[front].1 = Action::Front(params, last.features);
+        }
+        (plan, tables)
+    }
+
+    /// Ends a segment of a slice.
+    fn close(&self, plan: &mut Plan, slice: &mut Slice, place: Place, segment: Segment, primitives: std::ops::Range<u32>, triangles: u32) {
+        let base = self.base();
+        let bins = base.bins[0] * base.bins[1];
+        let blocks = self.room.segment_blocks(triangles, bins);
+        slice.segment(primitives, blocks);
+        plan.draw(place, segment, base, None, blocks, self.room.lists(triangles, bins));
+    }
 }
 
 /// Fills in a segment's offsets into the list buffer, behind `mask_capacity` words of masks. Returns the words it needs.
-pub fn place_lists(params: &mut Params, mask_capacity: u32) -> u32 {
+pub fn place_lists(action: &mut DrawAction, mask_capacity: u32) -> u32 {
+    let (params, supers) = (&mut action.params, action.blocks.div_ceil(32));
     let bins = params.bins[0] * params.bins[1];
     params.mask_base = LIST_HEAD;
     params.count_base = LIST_HEAD + mask_capacity;
-    params.bin_base = params.count_base + bins * params.supers;
+    params.bin_base = params.count_base + bins * supers;
     params.active_base = params.bin_base + bins * 2;
     params.work_base = params.active_base + bins;
     params.list_base = params.work_base + bins * 64;

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::adapter::Shape;
-use super::kernels::{FineKey, feature};
+use super::fine::{FineKey, feature};
 use super::texture::TextureClass;
 use crate::program::{Input, Program};
 use crate::raster::layout::{DEPTH_PLANE_VEC4, VARYING_PLANE_VEC4, interpolation};

@@ -3,14 +3,20 @@
 mod adapter;
 mod buffers;
 mod encode;
+mod execute;
 mod fill;
+mod fine;
 mod front;
 mod glue;
+mod host_front;
 mod kernels;
 mod params;
 mod profile;
 mod records;
+mod room;
+mod segment;
 mod source;
+mod stage;
 mod surface;
 #[cfg(test)]
 mod tests;

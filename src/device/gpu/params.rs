@@ -1,6 +1,47 @@
-//! What a dispatch works on: the twin of `TpParams` in `shaders/common.wgsl`.
+//! What dispatches work on: the twins of `TpParams` in `shaders/common.wgsl` and `TpFront` in `shaders/front.wgsl`.
 
 use bytemuck::{Pod, Zeroable};
+
+/// Words of a segment's record: first triangle, triangles, blocks of 32, super blocks of 1024; the rest reserved.
+pub const SEGMENT_WORDS: u32 = 8;
+
+/// Places (words) in the buffer of indirect dispatches.
+pub mod indirect {
+    /// The tile stage's workgroups.
+    pub const TILE: u32 = 0;
+    /// The fine stage's: the tiles that have any triangle are counted in the word before.
+    pub const FINE: u32 = 9;
+    /// The set-up kernel's.
+    pub const SETUP: u32 = 12;
+    /// The clip kernel's.
+    pub const CLIP: u32 = 16;
+    /// What stopped the batch: [`super::Status`].
+    pub const FAILED: u32 = 20;
+    /// For each segment 8 words: the bin stage's workgroups, and from the fifth on those of count and emit.
+    pub const SEGMENTS: u32 = 32;
+}
+
+/// What the kernels say of a batch that did not fit its buffers: nothing was drawn from `action` on.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Status {
+    /// One more than the action that failed; 0: all went well.
+    pub failed: u32,
+    /// Triangles that set-up would have made.
+    pub triangles: u32,
+    /// vec4 of their planes.
+    pub planes: u32,
+    /// vec4 of vertices that clipping would have made.
+    pub pool: u32,
+    /// Primitives to clip.
+    pub clipped: u32,
+    /// Blocks of 32 triangles of the largest segment.
+    pub blocks: u32,
+    /// Blocks of 32 entries in the lists of the segment that failed.
+    pub list_blocks: u32,
+    /// Reserved, zero.
+    pub reserved: u32,
+}
 
 /// A dispatch's parameters. Offsets into the list buffer and the record buffer are in words.
 #[repr(C)]
@@ -10,14 +51,6 @@ pub struct Params {
     pub size: [u32; 2],
     /// Columns and rows of bins.
     pub bins: [u32; 2],
-    /// First triangle of the segment.
-    pub first_triangle: u32,
-    /// Triangles of the segment.
-    pub triangle_count: u32,
-    /// Blocks of 32 triangles.
-    pub blocks: u32,
-    /// Super blocks of 1024 triangles.
-    pub supers: u32,
     /// Masks of triangles: a word for each bin and block.
     pub mask_base: u32,
     /// Counts, later offsets within the bin's list: a word for each bin and super block.
@@ -32,16 +65,18 @@ pub struct Params {
     pub tile_base: u32,
     /// Records of entries, `ENTRY_WORDS` each.
     pub entry_base: u32,
+    /// The tiles that have any triangle: bin * 64 + tile.
+    pub work_base: u32,
     /// Blocks that lists may take.
     pub list_blocks: u32,
     /// Row 0 is GL's top row.
     pub top_first: u32,
     /// Draw records.
     pub draws: u32,
-    /// The tiles that have any triangle: bin * 64 + tile.
-    pub work_base: u32,
-    /// Reserved, zero.
-    pub reserved: [u32; 2],
+    /// Number of the segment.
+    pub segment: u32,
+    /// -0, which no compiler of kernels knows: see `tp_mul` in `shaders/arithmetic.wgsl`.
+    pub zero: f32,
     /// Largest depth value.
     pub depth_max: u32,
     /// Depth and stencil to clear to.
@@ -56,4 +91,54 @@ pub struct Params {
     pub clear_color: [u32; 4],
     /// Bits of them that the clear writes.
     pub clear_mask: [u32; 4],
+    /// Number of the action, for [`Status::failed`].
+    pub action: u32,
+    /// Reserved, zero.
+    pub reserved: [u32; 3],
+}
+
+/// Parameters of the front end. Offsets are words of its records, unless said otherwise.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+pub struct FrontParams {
+    /// Groups of primitives.
+    pub groups: u32,
+    /// Their table: first primitive, number of primitives.
+    pub group_base: u32,
+    /// Segments of the slice.
+    pub segments: u32,
+    /// Number of its first segment.
+    pub first_segment: u32,
+    /// The segments: first group, one past the last, blocks of 32 triangles that fit.
+    pub segment_base: u32,
+    /// Sums of counts, in words of the front buffer.
+    pub sums_base: u32,
+    /// The queue of primitives to clip, in words of the front buffer: its length, then from the fifth word on 4 words each.
+    pub queue_base: u32,
+    /// Primitives that the queue holds.
+    pub queue_capacity: u32,
+    /// Triangles that fit.
+    pub triangle_capacity: u32,
+    /// vec4 of planes that fit.
+    pub plane_capacity: u32,
+    /// First vec4 of the pool behind the shaded vertices.
+    pub pool_base: u32,
+    /// vec4 of the pool.
+    pub pool_capacity: u32,
+    /// Blocks of vertices: draw, first vertex.
+    pub block_base: u32,
+    /// Raster states.
+    pub state_base: u32,
+    /// Bins of the surface.
+    pub bins: u32,
+    /// Lanes of a workgroup of the list stages.
+    pub list_lanes: u32,
+    /// Row 0 is GL's top row.
+    pub top_first: u32,
+    /// See [`Params::zero`].
+    pub zero: f32,
+    /// Number of the action, for [`Status::failed`].
+    pub action: u32,
+    /// Blocks of vertices of the dispatch.
+    pub vertex_blocks: u32,
 }

@@ -3,11 +3,14 @@
 //! Lines `//#if FLAG`, `//#else`, `//#endif`, `//#insert NAME`, `//#load NAME BUFFER PLACE` and the words `WORD(NAME, k)` in the
 //! shaders are read by [`expand`]. Everything else is plain WGSL.
 
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 use std::mem::offset_of;
 
+use super::params::{SEGMENT_WORDS, indirect};
 use crate::raster::layout::*;
+use crate::raster::vertex::{COORDINATE_RANGE, clip_code};
 
 /// Flags that are on, and texts to insert.
 #[derive(Clone, Debug, Default)]
@@ -27,28 +30,60 @@ impl Options {
     }
 }
 
+/// A WGSL file.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct File {
+    name: &'static str,
+    text: &'static str,
+}
+
+impl File {
+    /// Its text; with `TEPUI_SHADERS` (a folder), as it stands there now, for work on the kernels.
+    fn read(self) -> Cow<'static, str> {
+        match std::env::var_os("TEPUI_SHADERS").map(|folder| std::fs::read_to_string(std::path::Path::new(&folder).join(self.name))) {
+            Some(Ok(text)) => text.into(),
+            Some(Err(e)) => {
+                log::error!(target: "tepui::gpu", "TEPUI_SHADERS: {}: {e}", self.name);
+                self.text.into()
+            }
+            None => self.text.into(),
+        }
+    }
+}
+
 /// The WGSL files.
 pub mod files {
     #![allow(missing_docs)]
-    pub const COMMON: &str = include_str!("../../../shaders/common.wgsl");
-    pub const BIN: &str = include_str!("../../../shaders/bin.wgsl");
-    pub const COUNT: &str = include_str!("../../../shaders/count.wgsl");
-    pub const SCAN: &str = include_str!("../../../shaders/scan.wgsl");
-    pub const EMIT: &str = include_str!("../../../shaders/emit.wgsl");
-    pub const TILE: &str = include_str!("../../../shaders/tile.wgsl");
-    pub const ACTIVE: &str = include_str!("../../../shaders/active.wgsl");
-    pub const CLEAR: &str = include_str!("../../../shaders/clear.wgsl");
-    pub const COLOR: &str = include_str!("../../../shaders/color.wgsl");
-    pub const BLEND: &str = include_str!("../../../shaders/blend.wgsl");
-    pub const FRAGMENT_OPS: &str = include_str!("../../../shaders/fragment_ops.wgsl");
-    pub const STATE: &str = include_str!("../../../shaders/state.wgsl");
-    pub const FINE: &str = include_str!("../../../shaders/fine.wgsl");
-    pub const TEXTURE: &str = include_str!("../../../shaders/texture.wgsl");
+    use super::File;
+    pub const COMMON: File = File { name: "common.wgsl", text: include_str!("../../../shaders/common.wgsl") };
+    pub const ARITHMETIC: File = File { name: "arithmetic.wgsl", text: include_str!("../../../shaders/arithmetic.wgsl") };
+    pub const FRONT: File = File { name: "front.wgsl", text: include_str!("../../../shaders/front.wgsl") };
+    pub const VERTEX: File = File { name: "vertex.wgsl", text: include_str!("../../../shaders/vertex.wgsl") };
+    pub const PRIMITIVE: File = File { name: "primitive.wgsl", text: include_str!("../../../shaders/primitive.wgsl") };
+    pub const CULL: File = File { name: "cull.wgsl", text: include_str!("../../../shaders/cull.wgsl") };
+    pub const OFFSETS: File = File { name: "offsets.wgsl", text: include_str!("../../../shaders/offsets.wgsl") };
+    pub const SETUP: File = File { name: "setup.wgsl", text: include_str!("../../../shaders/setup.wgsl") };
+    pub const INSIDE: File = File { name: "inside.wgsl", text: include_str!("../../../shaders/inside.wgsl") };
+    pub const CLIP: File = File { name: "clip.wgsl", text: include_str!("../../../shaders/clip.wgsl") };
+    pub const POINT_LINE: File = File { name: "point_line.wgsl", text: include_str!("../../../shaders/point_line.wgsl") };
+    pub const BIN: File = File { name: "bin.wgsl", text: include_str!("../../../shaders/bin.wgsl") };
+    pub const COUNT: File = File { name: "count.wgsl", text: include_str!("../../../shaders/count.wgsl") };
+    pub const SCAN: File = File { name: "scan.wgsl", text: include_str!("../../../shaders/scan.wgsl") };
+    pub const EMIT: File = File { name: "emit.wgsl", text: include_str!("../../../shaders/emit.wgsl") };
+    pub const TILE: File = File { name: "tile.wgsl", text: include_str!("../../../shaders/tile.wgsl") };
+    pub const ACTIVE: File = File { name: "active.wgsl", text: include_str!("../../../shaders/active.wgsl") };
+    pub const CLEAR: File = File { name: "clear.wgsl", text: include_str!("../../../shaders/clear.wgsl") };
+    pub const COLOR: File = File { name: "color.wgsl", text: include_str!("../../../shaders/color.wgsl") };
+    pub const BLEND: File = File { name: "blend.wgsl", text: include_str!("../../../shaders/blend.wgsl") };
+    pub const FRAGMENT_OPS: File = File { name: "fragment_ops.wgsl", text: include_str!("../../../shaders/fragment_ops.wgsl") };
+    pub const STATE: File = File { name: "state.wgsl", text: include_str!("../../../shaders/state.wgsl") };
+    pub const FINE: File = File { name: "fine.wgsl", text: include_str!("../../../shaders/fine.wgsl") };
+    pub const TEXTURE: File = File { name: "texture.wgsl", text: include_str!("../../../shaders/texture.wgsl") };
 }
 
 /// Reads the `//#` lines of a source.
-pub fn expand(source: &str, options: &Options, out: &mut String) {
-    expand_with(source, options, &mut Vec::new(), out);
+pub fn expand(file: File, options: &Options, out: &mut String) {
+    expand_with(&file.read(), options, &mut Vec::new(), out);
 }
 
 /// Replaces `WORD(load, k)`: word `k` of what `//#load` loaded, the same for all lanes of a workgroup. Where a workgroup is
@@ -98,7 +133,7 @@ fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)
                 }
                 loads.push((name.to_string(), buffer.to_string()));
             }
-            Some("//#state") => expand_with(files::STATE, options, loads, out),
+            Some("//#state") => expand_with(&files::STATE.read(), options, loads, out),
             Some("//#insert") if open.iter().all(|&o| o) => {
                 let name = words.next().unwrap_or_default();
                 let text = options.inserts.get(name).map_or("", |t| t);
@@ -126,6 +161,11 @@ pub fn record_constants() -> String {
     let size = |bytes: usize| bytes / 4;
     let _ = writeln!(out, "const TP_TRIANGLE_WORDS = {}u;", size(size_of::<Triangle>()));
     let _ = writeln!(out, "const TP_DRAW_WORDS = {}u;", super::records::DRAW_WORDS);
+    let _ = writeln!(out, "const TP_DRAW_RECORD_WORDS = {}u;", super::records::DRAW_RECORD_WORDS);
+    let _ = writeln!(out, "const TP_DRAW_SCREEN_BASE = {}u;", super::records::SCREEN_BASE);
+    let _ = writeln!(out, "const TP_STATE_WORDS = {}u;", size(size_of::<RasterState>()));
+    let _ = writeln!(out, "const TP_COORDINATE_MIN = {:?};", COORDINATE_RANGE[0]);
+    let _ = writeln!(out, "const TP_COORDINATE_MAX = {:?};", COORDINATE_RANGE[1]);
     let _ = writeln!(out, "const TP_ENTRY_WORDS = {}u;", super::encode::ENTRY_WORDS);
     words!(
         out,
@@ -135,11 +175,82 @@ pub fn record_constants() -> String {
         "TP_TRIANGLE_COLUMNS" = columns,
         "TP_TRIANGLE_ROWS" = rows,
         "TP_TRIANGLE_PLANES" = planes,
+        "TP_TRIANGLE_PRIMITIVE" = primitive,
+    );
+    words!(
+        out,
+        DrawRecord,
+        "TP_DRAW_VERTEX_WORD" = vertex_word,
+        "TP_DRAW_VERTEX_STRIDE" = vertex_stride,
+        "TP_DRAW_VERTEX_COUNT" = vertex_count,
+        "TP_DRAW_TOPOLOGY" = topology,
+        "TP_DRAW_ATTRIBUTE_OFFSET" = attribute_offset,
+        "TP_DRAW_ATTRIBUTE_SIZE" = attribute_size,
+        "TP_DRAW_CONSTANTS" = constants,
+        "TP_DRAW_VERTEX_UNIFORMS" = vertex_uniforms,
+        "TP_DRAW_RASTER_STATE" = raster_state,
+        "TP_DRAW_SHADED_BASE" = shaded_base,
+        "TP_DRAW_SHADED_STRIDE" = shaded_stride,
+        "TP_DRAW_CLIP_DISTANCES" = clip_distances,
+        "TP_DRAW_CLIP_DISTANCE_COUNT" = clip_distance_count,
+        "TP_DRAW_POINT_SIZE" = point_size,
+        "TP_DRAW_VARYING_COUNT" = varying_count,
+        "TP_DRAW_VARYINGS" = varyings,
+    );
+    words!(
+        out,
+        RasterState,
+        "TP_STATE_FLAGS" = flags,
+        "TP_STATE_POLYGON_MODE" = polygon_mode,
+        "TP_STATE_VIEWPORT_SCALE" = viewport_scale,
+        "TP_STATE_VIEWPORT_TRANSLATE" = viewport_translate,
+        "TP_STATE_SCISSOR_MIN" = scissor_min,
+        "TP_STATE_SCISSOR_MAX" = scissor_max,
+        "TP_STATE_OFFSET_FACTOR" = offset_factor,
+        "TP_STATE_OFFSET_UNITS" = offset_units,
+        "TP_STATE_LINE_WIDTH" = line_width,
+        "TP_STATE_POINT_SIZE" = point_size,
     );
     for (name, value) in [
         ("TP_FRONT", triangle_flags::FRONT),
         ("TP_POLYGON", triangle_flags::POLYGON),
         ("TP_PERSPECTIVE", triangle_flags::PERSPECTIVE),
+        ("TP_BOTTOM_UP", triangle_flags::BOTTOM_UP),
+        ("TP_CUT", triangle_flags::CUT),
+        ("TP_NONE", NONE),
+        // As columns or rows: the first is greater than the last.
+        ("TP_NOWHERE", 0xffff),
+        ("TP_POINTS", topology::POINTS),
+        ("TP_LINES", topology::LINES),
+        ("TP_TRIANGLES", topology::TRIANGLES),
+        ("TP_INTERPOLATE_FLAT", interpolation::FLAT),
+        ("TP_INTERPOLATE_PERSPECTIVE", interpolation::PERSPECTIVE),
+        ("TP_INTERPOLATE_COVERAGE", interpolation::COVERAGE),
+        ("TP_CULL_FRONT", raster_flags::CULL_FRONT),
+        ("TP_CULL_BACK", raster_flags::CULL_BACK),
+        ("TP_FRONT_CCW", raster_flags::FRONT_CCW),
+        ("TP_OFFSET_POINT", raster_flags::OFFSET_POINT),
+        ("TP_OFFSET_LINE", raster_flags::OFFSET_LINE),
+        ("TP_OFFSET_FILL", raster_flags::OFFSET_FILL),
+        ("TP_POINT_SMOOTH", raster_flags::POINT_SMOOTH),
+        ("TP_LINE_SMOOTH", raster_flags::LINE_SMOOTH),
+        ("TP_WINDOW_SPACE", raster_flags::WINDOW_SPACE),
+        ("TP_NO_Z_CLIP", raster_flags::NO_Z_CLIP),
+        ("TP_CLIP_RIGHT", clip_code::RIGHT),
+        ("TP_CLIP_LEFT", clip_code::LEFT),
+        ("TP_CLIP_TOP", clip_code::TOP),
+        ("TP_CLIP_BOTTOM", clip_code::BOTTOM),
+        ("TP_CLIP_NEAR", clip_code::NEAR),
+        ("TP_CLIP_FAR", clip_code::FAR),
+        ("TP_CLIP_USER", clip_code::USER),
+        ("TP_CLIP_INVALID", clip_code::INVALID),
+        ("TP_DEPTH_PLANE_VEC4", DEPTH_PLANE_VEC4),
+        ("TP_VARYING_PLANE_VEC4", VARYING_PLANE_VEC4),
+        ("TP_SEGMENT_WORDS", SEGMENT_WORDS),
+        ("TP_SETUP_DISPATCH", indirect::SETUP),
+        ("TP_CLIP_DISPATCH", indirect::CLIP),
+        ("TP_FAILED", indirect::FAILED),
+        ("TP_SEGMENT_DISPATCH", indirect::SEGMENTS),
         ("TP_DEPTH_TEST_ON", fragment_flags::DEPTH_TEST),
         ("TP_DEPTH_WRITE_ON", fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE),
         ("TP_STENCIL_TEST_ON", fragment_flags::STENCIL_TEST),

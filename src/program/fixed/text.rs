@@ -30,7 +30,7 @@ impl Text {
     /// `matrix * v` as columns times components, added from the first to the last and never fused: Mesa's order.
     pub fn transform(&mut self, column: impl Fn(u8) -> Slot, v: &str) -> String {
         let [x, y, z, w] = [0, 1, 2, 3].map(|c| self.slot(column(c)));
-        format!("(({x} * {v}.x + {y} * {v}.y) + {z} * {v}.z) + {w} * {v}.w")
+        format!("((product({x}, {v}.x) + product({y}, {v}.y)) + product({z}, {v}.z)) + product({w}, {v}.w)")
     }
 
     /// A struct of vec4 members.

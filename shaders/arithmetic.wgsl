@@ -1,0 +1,100 @@
+// Arithmetic whose result is the same on every device: wide integers, and floats rounded as the CPU executor rounds them.
+
+// Low and high word of a * b, signed.
+fn tp_mul64(a: i32, b: i32) -> vec2<u32> {
+    let ua = bitcast<u32>(a);
+    let ub = bitcast<u32>(b);
+    let al = ua & 0xffffu;
+    let ah = ua >> 16u;
+    let bl = ub & 0xffffu;
+    let bh = ub >> 16u;
+    let ll = al * bl;
+    let m = ah * bl + (ll >> 16u);
+    let n = al * bh + (m & 0xffffu);
+    var high = ah * bh + (m >> 16u) + (n >> 16u);
+    // The unsigned product counts a negative factor 2^32 too often.
+    high -= select(0u, ub, a < 0) + select(0u, ua, b < 0);
+    return vec2<u32>((n << 16u) | (ll & 0xffffu), high);
+}
+
+// floor((a*b - c*d - bias) / 2^shift), saturated to +-2^30: an edge function in whole steps of 2^shift subpixels.
+fn tp_edge_floor(a: i32, b: i32, c: i32, d: i32, bias: u32, shift: u32) -> i32 {
+    let p = tp_mul64(a, b);
+    let q = tp_mul64(c, d);
+    var low = p.x - q.x;
+    var high = p.y - q.y - select(0u, 1u, p.x < q.x);
+    high -= select(0u, 1u, low < bias);
+    low -= bias;
+    let h = bitcast<i32>(high);
+    let inside = (high << (32u - shift)) | (low >> shift);
+    let limit = 1i << (shift - 2u);
+    return select(select(bitcast<i32>(inside), 0x40000000, h >= limit), -0x40000000, h < -limit);
+}
+
+// a * b + c, rounded once. Mesa's lavapipe splits fma, so there it is worked out in double precision: the product is exact.
+fn tp_fma(a: f32, b: f32, c: f32) -> f32 {
+//#if FMA64
+    return f32(f64(a) * f64(b) + f64(c));
+//#else
+    return fma(a, b, c);
+//#endif
+}
+
+fn tp_fma4(a: f32, b: vec4<f32>, c: vec4<f32>) -> vec4<f32> {
+//#if FMA64
+    return vec4<f32>(tp_fma(a, b.x, c.x), tp_fma(a, b.y, c.y), tp_fma(a, b.z, c.z), tp_fma(a, b.w, c.w));
+//#else
+    return fma(vec4<f32>(a), b, c);
+//#endif
+}
+
+// a * b, rounded on its own. WGSL lets a compiler join a product with the sum that follows it, and GPUs' compilers do. Nothing can be
+// joined to a sum whose third term it does not know: tp_zero() is -0 and comes from a buffer, so that the product's own zero keeps its sign.
+fn tp_mul(a: f32, b: f32) -> f32 {
+//#if FUSES
+    return fma(a, b, tp_zero());
+//#else
+    return a * b;
+//#endif
+}
+
+fn tp_mul4(a: vec4<f32>, b: f32) -> vec4<f32> {
+//#if FUSES
+    return fma(a, vec4<f32>(b), vec4<f32>(tp_zero()));
+//#else
+    return a * b;
+//#endif
+}
+
+// 1 / b, correctly rounded: a GPU's own may be off by a unit or two, which one Newton step with fused remainders mends (Markstein).
+fn tp_reciprocal(b: f32) -> f32 {
+    let r = 1.0 / b;
+//#if FUSES
+    let mended = fma(fma(-b, r, 1.0), r, r);
+    return select(r, mended, tp_finite(mended));
+//#else
+    return r;
+//#endif
+}
+
+// a / b, correctly rounded likewise.
+fn tp_divide(a: f32, b: f32) -> f32 {
+//#if FUSES
+    let r = tp_reciprocal(b);
+    let q = tp_mul(a, r);
+    let mended = fma(fma(-q, b, a), r, q);
+    return select(q, mended, tp_finite(mended));
+//#else
+    return a / b;
+//#endif
+}
+
+// Neither infinite nor not a number.
+fn tp_finite(v: f32) -> bool {
+    return (bitcast<u32>(v) & 0x7f800000u) != 0x7f800000u;
+}
+
+// The intrinsic of programs: products whose sums no compiler may join them to.
+fn product(a: vec4<f32>, b: f32) -> vec4<f32> {
+    return tp_mul4(a, b);
+}

@@ -1,0 +1,519 @@
+//! Runs batches: uploads, dispatches in one pass, and a second look at batches that did not fit their buffers.
+
+use std::sync::Arc;
+
+use bytemuck::{bytes_of, cast_slice};
+
+use super::adapter::Gpu;
+use super::buffers::{Growing, create};
+use super::encode::{Action, DrawAction, Place, Plan, Planner, place_lists};
+use super::fill::Fill;
+use super::front::FrontRecords;
+use super::host_front::HostFront;
+use super::kernels::Kernels;
+use super::params::{FrontParams, Params, SEGMENT_WORDS, Status, indirect};
+use super::profile::Profile;
+use super::room::Room;
+use super::stage::Stage;
+use super::surface::stats_level;
+use super::texture::Heap;
+use crate::device::{Pixels, SurfaceFormat};
+use crate::draw::{Batch, Step};
+use crate::raster::layout::{BIN_SIZE, raster_flags};
+
+/// Distance of two dispatches' parameters, a multiple of every device's alignment.
+const PARAMS_STRIDE: usize = 256;
+
+/// The buffers that a batch is uploaded to and worked on in.
+pub struct Buffers {
+    /// The pixels' colour.
+    pub color: wgpu::Buffer,
+    /// The pixels' depth and stencil.
+    pub depth: wgpu::Buffer,
+    uniforms: Growing,
+    vertices: Growing,
+    primitives: Growing,
+    front_records: Growing,
+    shaded: Growing,
+    screen: Growing,
+    records: Growing,
+    triangles: Growing,
+    planes: Growing,
+    front: Growing,
+    lists: Growing,
+    params: Growing,
+    indirect: Growing,
+    status: wgpu::Buffer,
+    /// Words of the list buffer that belong to masks: zero between segments.
+    mask_capacity: u32,
+}
+
+impl Buffers {
+    /// Small ones, but for the pixels.
+    pub fn new(gpu: &Gpu, pixels: &Pixels) -> Buffers {
+        let device = &gpu.device;
+        let storage = wgpu::BufferUsages::STORAGE;
+        let pixel_usage = storage | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
+        let growing = |label| Growing::new(device, label, storage);
+        let indirect = storage | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_SRC;
+        Buffers {
+            color: create(device, "colour", pixel_usage, pixels.color.len() as u64 * 4),
+            depth: create(device, "depth", pixel_usage, pixels.depth_stencil.len() as u64 * 4),
+            uniforms: growing("uniforms"),
+            vertices: growing("vertices"),
+            primitives: growing("primitives"),
+            front_records: growing("front records"),
+            shaded: growing("shaded"),
+            screen: growing("screen"),
+            records: growing("records"),
+            triangles: growing("triangles"),
+            planes: growing("planes"),
+            front: growing("front"),
+            lists: growing("lists"),
+            params: Growing::new(device, "params", wgpu::BufferUsages::UNIFORM),
+            indirect: Growing::new(device, "dispatches", indirect),
+            status: create(device, "status", wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST, size_of::<Status>() as u64),
+            mask_capacity: 0,
+        }
+    }
+}
+
+/// Bind groups: the front end's, the later stages', the dispatches'.
+struct Bound {
+    generation: u64,
+    front: wgpu::BindGroup,
+    stages: wgpu::BindGroup,
+    indirect: wgpu::BindGroup,
+}
+
+/// A batch on its way: kept until it is known that all of it was drawn.
+struct Pending {
+    batch: Batch,
+    places: Vec<Place>,
+}
+
+/// Runs batches on the pixels of a surface.
+pub struct Executor {
+    gpu: &'static Gpu,
+    kernels: Arc<Kernels>,
+    /// The pixels, and everything else on the device.
+    pub buffers: Buffers,
+    size: [u32; 2],
+    format: SurfaceFormat,
+    room: Room,
+    heap: Heap,
+    fills: [Fill; 2],
+    host_front: HostFront,
+    bound: Option<Bound>,
+    pending: Option<Pending>,
+}
+
+/// A batch's uploads and dispatches, ready to be encoded.
+struct Prepared {
+    plan: Plan,
+    /// For each vertex program: a draw that runs it, and blocks of vertices.
+    programs: Vec<(usize, u32)>,
+}
+
+impl Executor {
+    /// For a surface.
+    pub fn new(gpu: &'static Gpu, kernels: Arc<Kernels>, buffers: Buffers, size: [u32; 2], format: SurfaceFormat) -> Executor {
+        let device = &gpu.device;
+        Executor {
+            gpu,
+            kernels,
+            buffers,
+            size,
+            format,
+            room: Room::new(gpu.buffer_limit),
+            heap: Heap::new(device),
+            fills: [Fill::new(device), Fill::new(device)],
+            host_front: HostFront::default(),
+            bound: None,
+            pending: None,
+        }
+    }
+
+    /// Runs a batch, after what is left of the one before.
+    pub fn execute(&mut self, batch: Batch) {
+        self.settle();
+        self.run(batch);
+    }
+
+    /// Waits until all that was executed is drawn, batches that did not fit included.
+    pub fn settle(&mut self) {
+        while let Some(Pending { mut batch, places }) = self.pending.take() {
+            let Some(status) = self.status() else { return };
+            let Some(&place) = places.get((status.failed as usize).wrapping_sub(1)) else { return };
+            log::debug!(target: "tepui::gpu", "a batch did not fit: {status:?}; the rest is drawn with more room or in smaller pieces");
+            let bins: u32 = self.size.map(|s| s.div_ceil(BIN_SIZE)).iter().product();
+            if !self.room.learn(&status, bins) {
+                log::error!(target: "tepui::gpu", "a batch does not fit the GPU's buffers even in the smallest pieces; the rest of it is not drawn: {status:?}");
+                return;
+            }
+            batch.steps = rest(&batch.steps, place);
+            self.run(batch);
+        }
+    }
+
+    fn status(&self) -> Option<Status> {
+        let slice = self.buffers.status.slice(..);
+        slice.map_async(wgpu::MapMode::Read, |_| {});
+        if let Err(e) = self.gpu.device.poll(wgpu::PollType::wait_indefinitely()) {
+            log::error!(target: "tepui::gpu", "waiting for the GPU: {e}");
+            return None;
+        }
+        let status = match slice.get_mapped_range() {
+            Ok(bytes) => Some(bytemuck::pod_read_unaligned(&bytes[..size_of::<Status>()])),
+            Err(e) => {
+                log::error!(target: "tepui::gpu", "reading a batch's status: {e}");
+                None
+            }
+        };
+        self.buffers.status.unmap();
+        status
+    }
+
+    /// Bind groups of the buffers as they are now.
+    fn bind(&mut self) {
+        let b = &self.buffers;
+        let growing = [
+            &b.uniforms,
+            &b.vertices,
+            &b.primitives,
+            &b.front_records,
+            &b.shaded,
+            &b.screen,
+            &b.records,
+            &b.triangles,
+            &b.planes,
+            &b.front,
+            &b.lists,
+            &b.params,
+            &b.indirect,
+        ];
+        // Generations only grow, so their sum says whether any did.
+        let generation = growing.iter().map(|g| g.generation as u64).sum::<u64>() + self.heap.generation() as u64;
+        if self.bound.as_ref().is_some_and(|g| g.generation == generation) {
+            return;
+        }
+        let device = &self.gpu.device;
+        let group = |layout: &wgpu::BindGroupLayout, storage: &[&wgpu::Buffer], params: Option<u64>| {
+            let mut entries: Vec<_> =
+                storage.iter().enumerate().map(|(k, b)| wgpu::BindGroupEntry { binding: k as u32, resource: b.as_entire_binding() }).collect();
+            if let Some(size) = params {
+                let buffer = wgpu::BufferBinding { buffer: b.params.get(), offset: 0, size: wgpu::BufferSize::new(size) };
+                entries.push(wgpu::BindGroupEntry { binding: storage.len() as u32, resource: wgpu::BindingResource::Buffer(buffer) });
+            }
+            device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+        };
+        let front = [&b.uniforms, &b.vertices, &b.primitives, &b.front_records, &b.shaded, &b.screen, &b.triangles, &b.planes, &b.front];
+        let [uniforms, records, triangles, planes, lists, segments] =
+            [&b.uniforms, &b.records, &b.triangles, &b.planes, &b.lists, &b.front].map(|g| g.get());
+        let stages = [uniforms, records, triangles, planes, lists, &b.color, &b.depth, self.heap.buffer(), segments];
+        self.bound = Some(Bound {
+            generation,
+            front: group(&self.kernels.front_layout, &front.map(|g| g.get()), Some(size_of::<FrontParams>() as u64)),
+            stages: group(&self.kernels.layout, &stages, Some(size_of::<Params>() as u64)),
+            indirect: group(&self.kernels.indirect_layout, &[b.indirect.get()], None),
+        });
+    }
+
+    /// Sets a batch up on the host and uploads the triangles.
+    fn prepare_host(&mut self, batch: &Batch) -> Prepared {
+        let Gpu { device, queue, shape, .. } = self.gpu;
+        self.host_front.run(batch, self.format.top_first);
+        let planner = Planner { batch, size: self.size, format: self.format, shape: *shape, room: &self.room };
+        let plan = planner.host(&self.host_front, &self.heap);
+        let b = &mut self.buffers;
+        b.triangles.upload(device, queue, cast_slice(&self.host_front.triangles));
+        b.planes.upload(device, queue, cast_slice(&self.host_front.planes));
+        b.front.upload(device, queue, cast_slice(&plan.segments));
+        self.upload_params(plan, &[])
+    }
+
+    /// Uploads what the kernels of the front end read.
+    fn prepare_kernels(&mut self, batch: &Batch) -> Prepared {
+        let Gpu { device, queue, shape, .. } = self.gpu;
+        let mut records = FrontRecords::new(batch);
+        let planner = Planner { batch, size: self.size, format: self.format, shape: *shape, room: &self.room };
+        let (mut plan, tables) = planner.kernels(&self.heap, records.words.len() as u32);
+        records.words.extend_from_slice(&tables);
+        let segments = (plan.segments.len() as u32).next_multiple_of(4);
+        let [mut front_words, mut triangles, mut planes, mut pool] = [segments as u64 + 4, 0, 0, 0];
+        for (_, action) in &mut plan.actions {
+            if let Action::Front(params, _) = action {
+                params.sums_base = segments;
+                params.queue_base += segments;
+                params.pool_base = batch.shaded_vec4;
+                params.state_base = records.state_base;
+                params.list_lanes = shape.list_lanes;
+                front_words = front_words.max(params.queue_base as u64 + 4 + params.queue_capacity as u64 * 4);
+                triangles = triangles.max(params.triangle_capacity as u64);
+                planes = planes.max(params.plane_capacity as u64);
+                pool = pool.max(params.pool_capacity as u64);
+            }
+        }
+        let b = &mut self.buffers;
+        b.vertices.upload(device, queue, cast_slice(&batch.vertices));
+        b.primitives.upload(device, queue, cast_slice(&batch.primitives));
+        b.front_records.upload(device, queue, cast_slice(&records.words));
+        b.shaded.reserve(device, (batch.shaded_vec4 as u64 + pool) * 16);
+        b.screen.reserve(device, records.vertices as u64 * 32);
+        b.triangles.reserve(device, triangles * size_of::<crate::raster::layout::Triangle>() as u64);
+        b.planes.reserve(device, planes * 16);
+        b.front.reserve(device, front_words * 4);
+        let programs: Vec<_> = (records.programs.iter())
+            .map(|&(draw, block_base, vertex_blocks)| {
+                let params = FrontParams {
+                    block_base,
+                    vertex_blocks,
+                    state_base: records.state_base,
+                    top_first: self.format.top_first as u32,
+                    zero: -0.0,
+                    ..FrontParams::default()
+                };
+                (draw, params)
+            })
+            .collect();
+        self.upload_params(plan, &programs)
+    }
+
+    /// Places lists and parameters and uploads what is left.
+    fn upload_params(&mut self, mut plan: Plan, programs: &[(usize, FrontParams)]) -> Prepared {
+        let Gpu { device, queue, .. } = self.gpu;
+        let b = &mut self.buffers;
+        let most = plan.mask_words.max(b.mask_capacity);
+        let mut list_words = 0;
+        for (_, action) in &mut plan.actions {
+            if let Action::Draw(draw) = action {
+                list_words = list_words.max(place_lists(draw, most) as u64);
+            }
+        }
+        let generation = b.lists.generation;
+        b.lists.reserve(device, list_words * 4);
+        if most > b.mask_capacity && b.lists.generation == generation {
+            // The masks take over words that held lists: a fresh buffer is zero.
+            let bytes = b.lists.get().size() + 256;
+            b.lists.reserve(device, bytes);
+        }
+        b.mask_capacity = most;
+        b.records.upload(device, queue, cast_slice(&plan.records));
+        let segments = plan.segments.len() as u64 / SEGMENT_WORDS as u64;
+        b.indirect.reserve(device, (indirect::SEGMENTS as u64 + segments * 8) * 4);
+        let mut bytes = vec![0u8; (programs.len() + plan.actions.len()) * PARAMS_STRIDE];
+        let actions = plan.actions.iter().map(|(_, action)| match action {
+            Action::Clear(params) => bytes_of(params),
+            Action::Draw(draw) => bytes_of(&draw.params),
+            Action::Front(params, _) => bytes_of(params),
+        });
+        for (words, to) in programs.iter().map(|p| bytes_of(&p.1)).chain(actions).zip(bytes.chunks_mut(PARAMS_STRIDE)) {
+            to[..words.len()].copy_from_slice(words);
+        }
+        b.params.upload(device, queue, &bytes);
+        Prepared { plan, programs: programs.iter().map(|(draw, params)| (*draw, params.vertex_blocks)).collect() }
+    }
+
+    fn run(&mut self, batch: Batch) {
+        let Gpu { device, queue, shape, .. } = self.gpu;
+        let t0 = std::time::Instant::now();
+        self.heap.prepare(device, queue, &batch.textures);
+        self.buffers.uniforms.upload(device, queue, cast_slice(&batch.uniforms));
+        // The stipple counter runs from line to line, which the kernels' front end cannot follow.
+        let on_host = shape.host_front || batch.raster_states.iter().any(|s| s.flags & raster_flags::LINE_STIPPLE != 0);
+        let prepared = if on_host { self.prepare_host(&batch) } else { self.prepare_kernels(&batch) };
+        self.bind();
+        let Some(bound) = &self.bound else { return };
+        let mut profile = Profile::new(self.gpu);
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let b = &self.buffers;
+        encoder.clear_buffer(b.indirect.get(), indirect::FAILED as u64 * 4, Some(size_of::<Status>() as u64));
+        let mut first_action = 0;
+        if let (Some((_, Action::Clear(p))), true) = (prepared.plan.actions.first(), shape.list_lanes < 64) {
+            first_action = clear_by_copy(&mut self.fills, self.gpu, &mut encoder, p, self.format, [&b.color, &b.depth]) as usize;
+        }
+        {
+            let pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+            let mut dispatcher = Dispatcher { gpu: self.gpu, kernels: &self.kernels, bound, indirect: b.indirect.get(), pass, profile: &mut profile };
+            dispatcher.mark("start");
+            dispatcher.actions(&batch, &prepared, first_action, self.format);
+        }
+        encoder.copy_buffer_to_buffer(b.indirect.get(), indirect::FAILED as u64 * 4, &b.status, 0, size_of::<Status>() as u64);
+        match profile {
+            Some(profile) => profile.print(self.gpu, encoder),
+            None => {
+                queue.submit([encoder.finish()]);
+            }
+        }
+        if stats_level() > 0 {
+            self.print_stats(&batch, &prepared.plan, on_host, t0.elapsed());
+        }
+        if !on_host {
+            let places = prepared.plan.actions.iter().map(|a| a.0).collect();
+            self.pending = Some(Pending { batch, places });
+        }
+    }
+
+    fn print_stats(&self, batch: &Batch, plan: &Plan, on_host: bool, time: std::time::Duration) {
+        let count = |which: fn(&Action) -> bool| plan.actions.iter().filter(|a| which(&a.1)).count();
+        let front = if on_host {
+            format!("{} triangles set up by the host", self.host_front.triangles.len())
+        } else {
+            format!("{} slices set up by kernels", count(|a| matches!(a, Action::Front(..))))
+        };
+        eprintln!(
+            "tepui: gpu: {} primitives, {} draws, {front}, {} segments, {} clears, encoded in {:.2} ms",
+            batch.primitives.len(),
+            batch.draws.len(),
+            count(|a| matches!(a, Action::Draw(..))),
+            count(|a| matches!(a, Action::Clear(..))),
+            time.as_secs_f64() * 1e3,
+        );
+    }
+}
+
+/// The steps from a place on.
+fn rest(steps: &[Step], place: Place) -> Vec<Step> {
+    let mut steps = steps[place.step..].to_vec();
+    if let Some(Step::Primitives { first, .. }) = steps.first_mut() {
+        *first = place.primitive;
+    }
+    steps
+}
+
+/// Workgroups in two dimensions, as the kernels number them.
+fn grid(groups: u32) -> (u32, u32) {
+    (groups.clamp(1, 32768), groups.div_ceil(32768).max(1))
+}
+
+/// Writes dispatches into a pass.
+struct Dispatcher<'a> {
+    gpu: &'static Gpu,
+    kernels: &'a Kernels,
+    bound: &'a Bound,
+    indirect: &'a wgpu::Buffer,
+    pass: wgpu::ComputePass<'a>,
+    profile: &'a mut Option<Profile>,
+}
+
+impl Dispatcher<'_> {
+    /// A time stamp: what came before it was `name`.
+    fn mark(&mut self, name: &'static str) {
+        if let Some(p) = self.profile {
+            p.mark(&mut self.pass, name);
+        }
+    }
+
+    fn stage(&mut self, stage: Stage) {
+        self.pass.set_pipeline(&self.kernels.stage(self.gpu, stage));
+    }
+
+    fn direct(&mut self, groups: u32, name: &'static str) {
+        let (x, y) = grid(groups);
+        self.pass.dispatch_workgroups(x, y, 1);
+        self.mark(name);
+    }
+
+    /// Sizes from word `word` of the dispatches' buffer.
+    fn indirect(&mut self, word: u32, name: &'static str) {
+        self.pass.dispatch_workgroups_indirect(self.indirect, word as u64 * 4);
+        self.mark(name);
+    }
+
+    fn actions(&mut self, batch: &Batch, prepared: &Prepared, skip: usize, format: SurfaceFormat) {
+        self.pass.set_bind_group(1, &self.bound.indirect, &[]);
+        let offset = |k: usize| (k * PARAMS_STRIDE) as u32;
+        for (k, &(draw, blocks)) in prepared.programs.iter().enumerate() {
+            self.pass.set_bind_group(0, &self.bound.front, &[offset(k)]);
+            self.pass.set_pipeline(&self.kernels.vertex(self.gpu, &batch.draws[draw].vertex_program));
+            self.direct(blocks, "vertex");
+        }
+        for (k, (_, action)) in prepared.plan.actions.iter().enumerate().skip(skip) {
+            let offset = offset(prepared.programs.len() + k);
+            match action {
+                Action::Clear(p) => {
+                    self.pass.set_bind_group(0, &self.bound.stages, &[offset]);
+                    self.stage(Stage::Clear(format.color.words() as u32));
+                    let columns = (p.clear_max[0] - p.clear_min[0]) as u32;
+                    let columns = columns.div_ceil(self.gpu.shape.list_lanes);
+                    self.pass.dispatch_workgroups(columns, (p.clear_max[1] - p.clear_min[1]) as u32, 1);
+                    self.mark("clear");
+                }
+                Action::Front(p, features) => {
+                    self.pass.set_bind_group(0, &self.bound.front, &[offset]);
+                    self.stage(Stage::Cull(*features));
+                    self.direct(p.groups, "cull");
+                    self.stage(Stage::Offsets);
+                    self.direct(1, "offsets");
+                    self.stage(Stage::Setup(*features));
+                    self.indirect(indirect::SETUP, "set-up");
+                    self.stage(Stage::Clip(*features));
+                    self.indirect(indirect::CLIP, "clip");
+                }
+                Action::Draw(draw) => {
+                    self.pass.set_bind_group(0, &self.bound.stages, &[offset]);
+                    self.draw(batch, draw);
+                }
+            }
+        }
+    }
+
+    fn draw(&mut self, batch: &Batch, action: &DrawAction) {
+        let p = &action.params;
+        let bins = p.bins[0] * p.bins[1];
+        let lanes = self.gpu.shape.list_lanes;
+        let dispatch = indirect::SEGMENTS + p.segment * 8;
+        // Count and emit: a lane for each bin and super block.
+        let supers = |s: &mut Self, name| match action.triangles {
+            Some(_) => s.direct((bins * action.blocks.div_ceil(32)).div_ceil(lanes), name),
+            None => s.indirect(dispatch + 4, name),
+        };
+        self.stage(Stage::Bin);
+        match action.triangles {
+            Some(n) => self.direct(n.div_ceil(lanes), "bin"),
+            None => self.indirect(dispatch, "bin"),
+        }
+        self.stage(Stage::Count);
+        supers(self, "count");
+        self.stage(Stage::Scan);
+        self.direct(1, "scan");
+        self.stage(Stage::Emit);
+        supers(self, "emit");
+        self.stage(Stage::Tile);
+        self.indirect(indirect::TILE, "tile");
+        self.stage(Stage::Active);
+        self.direct(bins, "active");
+        self.pass.set_pipeline(&self.kernels.fine(self.gpu, &action.key, &batch.draws[action.draw as usize].fragment_program));
+        self.indirect(indirect::FINE, "fine");
+    }
+}
+
+/// Clears all of a surface by copies; false where the clear is not of that kind.
+fn clear_by_copy(
+    fills: &mut [Fill; 2],
+    gpu: &Gpu,
+    encoder: &mut wgpu::CommandEncoder,
+    p: &Params,
+    format: SurfaceFormat,
+    buffers: [&wgpu::Buffer; 2],
+) -> bool {
+    let words = format.color.words();
+    let pixels_of = p.size[0] as usize * p.size[1] as usize;
+    let used = if format.stencil { !0 } else { 0xff_ffff };
+    let (color, depth) = (p.clear_mask != [0; 4], p.clear_depth_mask != 0);
+    let whole = p.clear_min == [0; 2] && p.clear_max == p.size.map(|s| s as i32);
+    if !whole || color && p.clear_mask[..words] != [!0; 4][..words] || depth && p.clear_depth_mask & used != used {
+        return false;
+    }
+    for (k, (on, pattern, words)) in
+        [(color, &p.clear_color[..words], pixels_of * words), (depth, std::slice::from_ref(&p.clear_depth), pixels_of)]
+            .into_iter()
+            .enumerate()
+    {
+        if on {
+            fills[k].prepare(&gpu.device, &gpu.queue, pattern, words);
+            fills[k].copy(encoder, buffers[k], words);
+        }
+    }
+    true
+}

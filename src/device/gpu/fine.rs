@@ -1,0 +1,155 @@
+//! The fine stage's kernel: a key that says what its segment needs, and the text that holds only that.
+
+use std::fmt::Write;
+
+use super::adapter::Shape;
+use super::glue::glue;
+use super::source::{Options, expand, files};
+use super::texture::{self, TextureClass};
+use crate::device::ColorFormat;
+use crate::program::Program;
+use crate::raster::layout::blend_factor::{self, ONE_MINUS_SRC_ALPHA, SRC_ALPHA};
+
+/// What a fine kernel contains: bits of [`FineKey::features`].
+#[allow(missing_docs)]
+pub mod feature {
+    /// The surface has depth or stencil, and some draw looks at it.
+    pub const DEPTH_BUFFER: u32 = 1;
+    pub const DEPTH_TEST: u32 = 1 << 1;
+    pub const DEPTH_WRITE: u32 = 1 << 2;
+    pub const STENCIL_TEST: u32 = 1 << 3;
+    pub const ALPHA_TEST: u32 = 1 << 4;
+    pub const BLEND: u32 = 1 << 5;
+    pub const LOGIC_OP: u32 = 1 << 6;
+    /// Some draw masks colour components.
+    pub const COLOR_MASK: u32 = 1 << 7;
+    pub const STIPPLE: u32 = 1 << 8;
+    /// Some triangle needs the division by w.
+    pub const PERSPECTIVE: u32 = 1 << 9;
+    /// The program has to run: colour is written, or it may discard.
+    pub const SHADES: u32 = 1 << 10;
+    /// Colour is written.
+    pub const COLOR_WRITE: u32 = 1 << 11;
+    /// Draws differ in what is on: their flags are looked at.
+    pub const MIXED: u32 = 1 << 12;
+    /// Draws differ in the interpolation of varyings, but run the same program: each draw's record says which are perspective.
+    pub const MIXED_INTERPOLATION: u32 = 1 << 13;
+}
+
+/// Blending of a segment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum BlendKey {
+    /// The same in all draws that blend: factors, equations.
+    Fixed([u32; 4], [u32; 2]),
+    /// Looked up for each triangle.
+    Dynamic,
+}
+
+/// A fine kernel.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct FineKey {
+    /// The fragment program's id.
+    pub program: u64,
+    /// Colour storage.
+    pub color: ColorFormat,
+    /// `feature::*`
+    pub features: u32,
+    /// How it blends.
+    pub blend: BlendKey,
+    /// Depth function, where all draws that test have the same.
+    pub depth_func: Option<u32>,
+    /// Bits of depth.
+    pub depth_bits: u32,
+    /// What each texture slot needs.
+    pub textures: Vec<TextureClass>,
+}
+
+impl FineKey {
+    /// The text of a fine kernel.
+    pub fn source(&self, shape: Shape, program: &Program, constants: &str) -> String {
+        let mut options = Options::default();
+        let on = |bit: u32| self.features & bit != 0;
+        for (name, bit) in [
+            ("DEPTH_BUFFER", feature::DEPTH_BUFFER),
+            ("DEPTH_TEST", feature::DEPTH_TEST),
+            ("DEPTH_WRITE", feature::DEPTH_WRITE),
+            ("STENCIL_TEST", feature::STENCIL_TEST),
+            ("ALPHA_TEST", feature::ALPHA_TEST),
+            ("BLEND", feature::BLEND),
+            ("LOGIC_OP", feature::LOGIC_OP),
+            ("COLOR_MASK", feature::COLOR_MASK),
+            ("STIPPLE", feature::STIPPLE),
+            ("SHADES", feature::SHADES),
+            ("COLOR_WRITE", feature::COLOR_WRITE),
+            ("STATE_FLAGS", feature::MIXED),
+            ("MIXED_INTERPOLATION", feature::MIXED_INTERPOLATION),
+        ] {
+            options.flag(name, on(bit));
+        }
+        let writes_depth = program.writes_depth && on(feature::SHADES) && on(feature::DEPTH_TEST);
+        options.flag("WRITES_DEPTH", writes_depth);
+        // The stencil buffer changes where the depth test fails, but not where the program or the alpha test kills.
+        options.flag("NEEDS_KILL_FIRST", on(feature::STENCIL_TEST) && (program.discards || on(feature::ALPHA_TEST)));
+        options.flag("TEXTURES", on(feature::SHADES) && !self.textures.is_empty());
+        let mut extra = String::new();
+        let _ = writeln!(extra, "const TP_DEPTH_SCALE = {}.0;", (1u64 << self.depth_bits) - 1);
+        if let Some(func) = self.depth_func {
+            options.flag("DEPTH_FUNC_FIXED", true);
+            let _ = writeln!(extra, "const TP_DEPTH_FUNC = {func}u;");
+        }
+        options.flag("SUBGROUP8", shape.subgroup8);
+        options.flag("FMA64", shape.fma64);
+        options.flag(
+            match self.color {
+                ColorFormat::Rgba8 => "COLOR_RGBA8",
+                ColorFormat::Rgbx8 => "COLOR_RGBX8",
+                ColorFormat::Rgb565 => "COLOR_RGB565",
+                ColorFormat::Rgba16 => "COLOR_RGBA16",
+                ColorFormat::Rgba32f => "COLOR_RGBA32F",
+            },
+            true,
+        );
+        options.flag(["COLOR_WORDS_1", "COLOR_WORDS_2", "", "COLOR_WORDS_4"][self.color.words() - 1], true);
+        options.flag("COLOR_UNORM", self.color != ColorFormat::Rgba32f);
+        options.flag("COLOR_8BIT", matches!(self.color, ColorFormat::Rgba8 | ColorFormat::Rgbx8));
+        match self.blend {
+            _ if !on(feature::BLEND) => {}
+            BlendKey::Dynamic => {
+                options.flag("BLEND_DYNAMIC", true);
+                options.flag("BLEND_CONSTANT", true);
+            }
+            BlendKey::Fixed(f, e) => {
+                options.flag("BLEND_CONSTANT", f.iter().any(|&f| f >= blend_factor::CONSTANT_COLOR));
+                let eight_bits = self.color == ColorFormat::Rgba8;
+                options.flag(
+                    "BLEND_ALPHA",
+                    eight_bits
+                        && !on(feature::MIXED)
+                        && f == [SRC_ALPHA, ONE_MINUS_SRC_ALPHA, SRC_ALPHA, ONE_MINUS_SRC_ALPHA]
+                        && e == [0; 2],
+                );
+                options.flag("BLEND_UNIFORM", f[0] == f[2] && f[1] == f[3] && e[0] == e[1]);
+                let _ = writeln!(extra, "const TP_BLEND_FACTORS = vec4<u32>({}u, {}u, {}u, {}u);", f[0], f[1], f[2], f[3]);
+                let _ = writeln!(extra, "const TP_BLEND_EQUATIONS = vec2<u32>({}u, {}u);", e[0], e[1]);
+            }
+        }
+        let glue = glue(program, self, shape);
+        options.inserts.insert("TEXTURES", texture::loads(&self.textures));
+        options.inserts.insert("PLANES", glue.planes);
+        options.inserts.insert("DEPTH", glue.depth);
+        options.inserts.insert("SHADE", glue.shade);
+        let mut source = format!("const TP_LANES = {}u;\n{extra}{}", shape.fine_lanes, constants);
+        for file in [files::COMMON, files::ARITHMETIC, files::COLOR, files::FRAGMENT_OPS, files::BLEND] {
+            expand(file, &options, &mut source);
+        }
+        if on(feature::SHADES) {
+            if !self.textures.is_empty() {
+                texture::splice(&self.textures, &options, &mut source);
+            }
+            source.push_str(&program.wgsl);
+            source.push('\n');
+        }
+        expand(files::FINE, &options, &mut source);
+        source
+    }
+}

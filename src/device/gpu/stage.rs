@@ -1,0 +1,167 @@
+//! The kernels that know nothing of fragment programs: what each is made of.
+
+use std::fmt::Write;
+
+use super::adapter::Shape;
+use super::source::{File, Options, expand, files};
+use crate::program::{Output, Program};
+
+/// Lanes of the set-up stages on a GPU.
+const FRONT_LANES: u32 = 256;
+/// Primitives of a lane's run where a workgroup is one SIMD register wide.
+const RUN: u32 = 8;
+/// Vertices of a block of the vertex stage.
+pub const VERTEX_BLOCK: u32 = 64;
+
+/// A kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Stage {
+    /// How many triangles each primitive makes. See [`front`].
+    Cull(u32),
+    /// Where they go.
+    Offsets,
+    /// Primitives inside the view volume.
+    Setup(u32),
+    /// All others.
+    Clip(u32),
+    Bin,
+    Count,
+    Scan,
+    Emit,
+    Tile,
+    Active,
+    /// Words of a colour pixel.
+    Clear(u32),
+}
+
+/// What the kernels of set-up contain.
+pub mod front {
+    /// Some draw is of points or lines.
+    pub const POINTS_AND_LINES: u32 = 1;
+    /// Some polygon is drawn by its outline or corners.
+    pub const UNFILLED: u32 = 1 << 1;
+    /// Some points or lines are antialiased.
+    pub const SMOOTH: u32 = 1 << 2;
+    /// Some polygon is offset.
+    pub const OFFSET: u32 = 1 << 3;
+}
+
+impl Stage {
+    /// It belongs to the front end: its bindings are those of `shaders/front.wgsl`.
+    pub fn is_front(self) -> bool {
+        matches!(self, Stage::Cull(_) | Stage::Offsets | Stage::Setup(_) | Stage::Clip(_))
+    }
+
+    /// It reads or writes the words of later dispatches.
+    pub fn is_indirect(self) -> bool {
+        matches!(self, Stage::Offsets | Stage::Scan | Stage::Active | Stage::Clear(_))
+    }
+
+    /// Its text.
+    pub fn source(self, shape: Shape, constants: &str) -> String {
+        let mut options = Options::default();
+        arithmetic_flags(&mut options, shape);
+        let mut lanes = shape.list_lanes;
+        let wide = lanes > 8;
+        let mut extra = String::new();
+        let mut features = 0;
+        let parts: &[File] = match self {
+            Stage::Cull(f) => {
+                (features, lanes) = (f, if wide { FRONT_LANES } else { lanes });
+                &[files::PRIMITIVE, files::CULL]
+            }
+            Stage::Setup(f) => {
+                (features, lanes) = (f, if wide { FRONT_LANES } else { lanes });
+                &[files::PRIMITIVE, files::POINT_LINE, files::SETUP, files::INSIDE]
+            }
+            Stage::Clip(f) => {
+                features = f;
+                &[files::PRIMITIVE, files::POINT_LINE, files::SETUP, files::CLIP]
+            }
+            Stage::Offsets => {
+                lanes = if wide { 256 } else { lanes };
+                &[files::OFFSETS]
+            }
+            Stage::Bin => {
+                options.flag("ATOMIC_LISTS", true);
+                &[files::BIN]
+            }
+            Stage::Count => &[files::COUNT],
+            Stage::Scan => {
+                lanes = if wide { 256 } else { lanes };
+                &[files::SCAN]
+            }
+            Stage::Emit => &[files::EMIT],
+            Stage::Tile => &[files::TILE],
+            Stage::Active => {
+                options.flag("ATOMIC_LISTS", true);
+                &[files::ACTIVE]
+            }
+            Stage::Clear(words) => {
+                let _ = writeln!(extra, "const TP_COLOR_WORDS = {words}u;");
+                &[files::CLEAR]
+            }
+        };
+        options.flag("POINTS_AND_LINES", features & (front::POINTS_AND_LINES | front::UNFILLED) != 0);
+        options.flag("UNFILLED", features & front::UNFILLED != 0);
+        options.flag("SMOOTH", features & front::SMOOTH != 0);
+        options.flag("OFFSET", features & front::OFFSET != 0);
+        options.flag("RUNS", !wide);
+        let _ = writeln!(extra, "const TP_RUN = {RUN}u;\nconst TP_SUMS = {}u;", sums_of_a_group(shape));
+        let mut source = format!("const TP_LANES = {lanes}u;\n{extra}{constants}");
+        expand(if self.is_front() { files::FRONT } else { files::COMMON }, &options, &mut source);
+        expand(files::ARITHMETIC, &options, &mut source);
+        for part in parts {
+            // Points and lines are left out whole where nothing draws them.
+            if *part != files::POINT_LINE || options.flags.contains("POINTS_AND_LINES") {
+                expand(*part, &options, &mut source);
+            }
+        }
+        source
+    }
+}
+
+/// Flags of `shaders/arithmetic.wgsl`.
+pub fn arithmetic_flags(options: &mut Options, shape: Shape) {
+    options.flag("FMA64", shape.fma64);
+    options.flag("FUSES", shape.fuses);
+}
+
+/// Primitives of a group: what a workgroup of cull and set-up works on.
+pub fn group_size(shape: Shape) -> u32 {
+    if shape.list_lanes > 8 { FRONT_LANES } else { shape.list_lanes * RUN }
+}
+
+/// Sums that a group writes.
+pub fn sums_of_a_group(shape: Shape) -> u32 {
+    if shape.list_lanes > 8 { 1 } else { shape.list_lanes }
+}
+
+/// The text of the vertex stage around a program.
+pub fn vertex_source(shape: Shape, program: &Program, constants: &str) -> String {
+    let mut options = Options::default();
+    arithmetic_flags(&mut options, shape);
+    options.flag("VERTEX", true);
+    let mut fetch = String::new();
+    for slot in (0..16).filter(|s| program.attributes & 1 << s != 0) {
+        let _ = writeln!(fetch, "in.a{slot} = tp_attribute(record, {slot}u, vertex);");
+    }
+    let mut store = String::new();
+    for (k, output) in program.outputs.iter().enumerate() {
+        let _ = writeln!(store, "tp_shaded[at + {}u] = out.o{k};", k + 1);
+        if let Output::ClipDistance(group) = output {
+            let _ = writeln!(store, "user |= tp_user_code(out.o{k}, {}u, tp_records[record + TP_DRAW_CLIP_DISTANCE_COUNT]);", group * 4);
+        }
+    }
+    options.inserts.insert("FETCH", fetch);
+    options.inserts.insert("STORE", store);
+    let lanes = shape.list_lanes.min(VERTEX_BLOCK);
+    let mut source = format!("const TP_LANES = {lanes}u;\nconst TP_VERTEX_BLOCK = {VERTEX_BLOCK}u;\n{constants}");
+    expand(files::FRONT, &options, &mut source);
+    expand(files::ARITHMETIC, &options, &mut source);
+    source.push_str(&program.wgsl);
+    source.push('\n');
+    expand(files::VERTEX, &options, &mut source);
+    source
+}
