@@ -174,15 +174,6 @@ impl Coverage {
         number
     }
 
-    /// Adds the triangles of a triangle list, nothing masked.
-    pub fn triangles(&mut self, view: &View, positions: &[[f32; 4]]) {
-        let transform = Transform::new(view);
-        for t in positions.chunks_exact(3) {
-            let placed = transform.as_ref().and_then(|transform| Placed::triangle(view, transform, [t[0], t[1], t[2]]));
-            self.add(placed.as_ref(), |_, _| true);
-        }
-    }
-
     /// Judges hit counts, bottom row first.
     pub fn judge(&self, hits: &[u8]) -> Counts {
         let mut counts = Counts { samples: self.samples.len() as u64, ..Counts::default() };
@@ -290,7 +281,10 @@ mod tests {
         // A triangle that contains the whole window: all of its samples must be covered, wherever its corners lie.
         for far in [100.0f32, 1e6, 1e30] {
             let mut coverage = Coverage::new(16, 16);
-            coverage.triangles(&View::pixels(16, 16), &[[-far, -far, 0.0, 1.0], [3.0 * far, -far, 0.0, 1.0], [-far, 3.0 * far, 0.0, 1.0]]);
+            let view = View::pixels(16, 16);
+            let corners = [[-far, -far, 0.0, 1.0], [3.0 * far, -far, 0.0, 1.0], [-far, 3.0 * far, 0.0, 1.0]];
+            let placed = Placed::triangle(&view, &Transform::new(&view).unwrap(), corners);
+            coverage.add(placed.as_ref(), |_, _| true);
             assert_eq!(coverage.judge(&[1; 256]).wrong, 0);
             assert_eq!(coverage.judge(&[0; 256]).wrong, 256);
         }

@@ -3,7 +3,7 @@
 
 use num_bigint::{BigInt, Sign};
 
-use crate::recording::{Matrix, View};
+use crate::recording::View;
 
 /// x, y, z, w, one, and the distances from the user clip planes, all times the same positive number: `one` says which.
 pub type Homogeneous = Vec<BigInt>;

@@ -18,8 +18,6 @@ pub struct Weights {
     pub of: [f64; 3],
     /// Window z for the depth range 0 to 1, not clamped.
     pub depth: f64,
-    /// 1/w.
-    pub inv_w: f64,
 }
 
 /// Clip coordinates of an object position, in f64.
@@ -47,7 +45,7 @@ impl Triangle {
         let sum: f64 = edges.iter().sum();
         let of = edges.map(|e| e / sum);
         let at = |k: usize| of.iter().zip(&self.clip).map(|(w, c)| w * c[k]).sum::<f64>();
-        Weights { of, depth: at(2) / at(3) * 0.5 + 0.5, inv_w: 1.0 / at(3) }
+        Weights { of, depth: at(2) / at(3) * 0.5 + 0.5 }
     }
 }
 
@@ -114,7 +112,6 @@ mod tests {
         let t = Triangle::new(&view, [[-1.0, 0.0, -1.0, 1.0], [3.0, 0.0, -3.0, 1.0], [0.0, 1.0, -1.0, 1.0]]);
         let middle = t.at([32.0, 32.0]);
         assert!((middle.of[1] - 0.25).abs() < 1e-14 && middle.of[2].abs() < 1e-14);
-        assert!((1.0 / middle.inv_w - 1.5).abs() < 1e-14);
     }
 
     #[test]

@@ -52,14 +52,22 @@ pub fn compare_color(frame: &Frame, pixel: usize, right: &[f64], error: &mut Val
     }
 }
 
-/// Judges a triangle list with smooth colours, drawn with the depth function ALWAYS while samples count their hits.
-pub fn judge_triangles(frame: &Frame, coverage: &Coverage, view: &View, vertices: &[Vertex], depth_bits: u32) -> Score {
+/// Judges a triangle list with smooth colours, drawn with the depth function ALWAYS while samples count their hits. Values are compared
+/// in triangles that are `healthy`.
+pub fn judge_triangles(
+    frame: &Frame,
+    coverage: &Coverage,
+    view: &View,
+    vertices: &[Vertex],
+    depth_bits: u32,
+    healthy: impl Fn(u32) -> bool,
+) -> Score {
     let mut score = Score { counts: coverage.judge(&frame.stencil), ..Score::default() };
     let triangles: Vec<Triangle> =
         vertices.chunks_exact(3).map(|t| Triangle::new(view, [t[0].position, t[1].position, t[2].position])).collect();
     let units = f64::from((1u32 << depth_bits) - 1);
     for (pixel, owner) in coverage.owned() {
-        if frame.stencil[pixel] != 1 {
+        if frame.stencil[pixel] != 1 || !healthy(owner) {
             continue;
         }
         let weights = triangles[owner as usize].at([(pixel % frame.width) as f64 + 0.5, (pixel / frame.width) as f64 + 0.5]);
@@ -97,7 +105,7 @@ pub fn triangles(view: View, width: usize, height: usize, depth_bits: u32, verti
     let coverage = OnceCell::new();
     let judge = move |frame: &Frame| {
         let coverage = coverage.get_or_init(|| cover(&view, width, height, &vertices, |_, _| true));
-        judge_triangles(frame, coverage, &view, &vertices, depth_bits)
+        judge_triangles(frame, coverage, &view, &vertices, depth_bits, |_| true)
     };
     Case { recording, judge: Box::new(judge) }
 }

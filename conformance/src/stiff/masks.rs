@@ -80,7 +80,7 @@ fn stippled(severity: f64, seed: u64) -> Case {
             boxed && rows[row % 32] >> (31 - column % 32) & 1 != 0
         };
         let coverage = cover(&view, SIDE, SIDE, &vertices, open);
-        judge_triangles(frame, &coverage, &view, &vertices, 24)
+        judge_triangles(frame, &coverage, &view, &vertices, 24, |_| true)
     };
     Case { recording, judge: Box::new(judge) }
 }

@@ -7,11 +7,14 @@ use super::run::{Outcome, Result_};
 /// Colour and name of an implementation's curve.
 pub fn style(implementation: &str) -> (RGBColor, &'static str) {
     match implementation {
-        "osmesa" => (RGBColor(200, 80, 30), "OSMesa"),
+        "osmesa" => (RGBColor(230, 130, 60), "OSMesa"),
         "cpu" => (RGBColor(30, 90, 180), "Tepui, CPU executor"),
         _ => (RGBColor(20, 140, 70), "Tepui, kernels"),
     }
 }
+
+/// Pixels across: curves often lie on each other, so the ones that are drawn first are wider.
+const WIDTHS: [u32; 3] = [6, 3, 1];
 
 /// What is drawn.
 pub struct Plot {
@@ -73,7 +76,7 @@ pub fn draw(result: &Result_, plot: &Plot) -> Result<Option<String>, String> {
             .caption(plot.title, ("sans-serif", 15))
             .x_label_area_size(42)
             .y_label_area_size(56)
-            .build_cartesian_2d(-0.2..last + 0.2, floor - 0.1..(highest + 0.3).ceil())
+            .build_cartesian_2d(-0.2..last + 0.2, floor - 0.1..highest + 0.4 * (highest - floor) + 0.3)
             .map_err(failed)?;
         let severity = |x: &f64| {
             let step = (x - x.round()).abs() < 1e-6 && *x >= 0.0;
@@ -92,13 +95,13 @@ pub fn draw(result: &Result_, plot: &Plot) -> Result<Option<String>, String> {
         let mut mesh = chart.configure_mesh();
         mesh.x_desc(result.knob).x_labels(result.steps.len() * 2).x_label_formatter(&severity).y_label_formatter(&magnitude);
         mesh.light_line_style(WHITE).label_style(("sans-serif", 11)).draw().map_err(failed)?;
-        for (implementation, points) in curves {
+        for ((implementation, points), width) in curves.into_iter().zip(WIDTHS) {
             let (color, name) = style(implementation);
             chart
-                .draw_series(LineSeries::new(points.iter().copied(), color.stroke_width(2)).point_size(3))
+                .draw_series(LineSeries::new(points.iter().copied(), color.stroke_width(width)).point_size(width + 1))
                 .map_err(failed)?
                 .label(name)
-                .legend(move |(x, y)| PathElement::new([(x, y), (x + 16, y)], color.stroke_width(2)));
+                .legend(move |(x, y)| PathElement::new([(x, y), (x + 16, y)], color.stroke_width(width)));
         }
         chart
             .configure_series_labels()

@@ -7,7 +7,7 @@ use std::time::Duration;
 use clap::Args;
 use serde::Serialize;
 
-use super::expect::Exceptions;
+use super::expect::{Exceptions, Judged};
 use super::{Case, Family, Score, families, page};
 use crate::build::{build_library, root, work_dir};
 use crate::compare::{reference_runner, tepui_runner};
@@ -19,16 +19,26 @@ use crate::{Devices, Error};
 /// How long one image may take before it counts as hung.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// Frames of an image: the first is judged and builds what is built once, the faster one is the time.
+const FRAMES: usize = 2;
+
 /// Address space of a runner: what wants more has no bound.
 const MEMORY_MIB: &str = "12288";
 
-/// Triangles that each of the three mesh families draws in the full form; together they are more than 10^7.
-const MESH_TRIANGLES: f64 = 3.4e6;
+/// Triangles that a family of meshes draws in the full form, all three together more than 10^7. Fans are slow on kernels, because all of
+/// their triangles meet in one tile.
+fn mesh_triangles(family: &str) -> Option<f64> {
+    match family {
+        "mesh_fan" => Some(1.2e6),
+        "mesh_grid" | "mesh_random" => Some(4.5e6),
+        _ => None,
+    }
+}
 
 /// Options of `stiff`.
 #[derive(Args)]
 pub struct Options {
-    /// Eight seeds instead of one, 10^7 triangles in meshes, more frames timed.
+    /// Eight seeds instead of one, 10^7 triangles in meshes.
     #[arg(long)]
     full: bool,
     /// The first seed.
@@ -65,10 +75,12 @@ impl Options {
         if self.full { "full" } else { "short" }
     }
 
-    /// Seeds of a severity: meshes are drawn until there are enough triangles.
+    /// Seeds of a severity: the largest meshes are drawn until there are enough triangles.
     fn rounds(&self, family: &Family, severity: f64) -> u64 {
-        let brutal = family.severities.last() == Some(&severity);
-        if self.full && brutal && family.name.starts_with("mesh_") { (MESH_TRIANGLES / severity).ceil() as u64 } else { self.seeds() }
+        match mesh_triangles(family.name) {
+            Some(triangles) if self.full && family.severities.last() == Some(&severity) => (triangles / severity).ceil() as u64,
+            _ => self.seeds(),
+        }
     }
 }
 
@@ -116,9 +128,9 @@ pub struct Result_ {
 }
 
 /// What one runner made of one case.
-fn play(runner: &mut Runner, recording: &Path, frames: usize) -> Result<(Frame, f64, u64), String> {
+fn play(runner: &mut Runner, recording: &Path) -> Result<(Frame, f64, u64), String> {
     let prefix = work_dir().join("stiff").join(runner.label);
-    let lines = runner.request(&format!("play {frames} {} {}", recording.display(), prefix.display()))?;
+    let lines = runner.request(&format!("play {FRAMES} {} {}", recording.display(), prefix.display()))?;
     let numbers = |key: &str| lines.iter().filter_map(|l| l.strip_prefix(key)?.parse::<f64>().ok()).collect::<Vec<f64>>();
     let fastest = numbers("ms ").into_iter().fold(f64::INFINITY, f64::min);
     let memory = numbers("kib ").first().map_or(0, |kib| (*kib / 1024.0) as u64);
@@ -140,9 +152,8 @@ impl Session<'_> {
     fn case(&mut self, name: &str, case: &Case, outcomes: &mut [Outcome]) -> Result<(), Error> {
         let path = work_dir().join("stiff/recording");
         std::fs::write(&path, case.recording.bytes())?;
-        let frames = if self.options.full { 4 } else { 2 };
         for (runner, outcome) in self.runners.iter_mut().zip(outcomes) {
-            match play(runner, &path, frames) {
+            match play(runner, &path) {
                 Ok((frame, milliseconds, mebibytes)) => {
                     let score = (case.judge)(&frame);
                     if self.options.keep && score.counts.wrong + score.counts.off_rule > 0 {
@@ -179,12 +190,17 @@ impl Session<'_> {
                 images += 1;
             }
         }
-        for outcome in &mut outcomes {
-            if outcome.implementation != "osmesa" {
-                let full = self.options.full;
-                let verdict = self.exceptions.judge(family.name, severity, outcome.implementation, full, &outcome.score, &outcome.failures);
-                outcome.verdict = Some(verdict);
-            }
+        let reference = outcomes.first().filter(|o| o.failures.is_empty()).map(|o| o.score);
+        for outcome in outcomes.iter_mut().skip(1) {
+            outcome.verdict = Some(self.exceptions.judge(&Judged {
+                family: family.name,
+                severity,
+                device: outcome.implementation,
+                full: self.options.full,
+                score: &outcome.score,
+                reference: reference.as_ref(),
+                failures: &outcome.failures,
+            }));
         }
         Ok(Step { severity, inside: (family.inside)(severity), images, outcomes })
     }

@@ -13,13 +13,16 @@ const CELL: usize = 32;
 pub fn families() -> Vec<Family> {
     vec![Family {
         name: "special_values",
-        about: "Every other cell of a chessboard holds a triangle with a poisoned position, colour, normal or texture coordinate, one attribute an image; lighting, fog and textures are on where they read it. Judged are coverage, depth and colour of the other cells.",
+        about: "Every other cell of a chessboard holds a triangle with a poisoned position, colour, normal or texture coordinate, one attribute an image; lighting, fog and textures are on where they read it. Judged are depth and colour of the other cells, and coverage: of everything where the poison is finite, else of the other cells.",
         knob: "0 none, 1 -0, 2 denormal, 3 largest, 4 infinite, 5 NaN",
         severities: &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0],
         inside: |_| true,
         make: |severity, seed| (0..8).map(|attribute| poisoned(severity, seed, attribute)).collect(),
     }]
 }
+
+/// The last severity whose values are finite.
+const LARGEST: f64 = 3.0;
 
 fn poison(severity: f64, random: &mut Random) -> Option<f32> {
     let value = [None, Some(-0.0), Some(1e-42), Some(f32::MAX), Some(f32::INFINITY), Some(f32::NAN)][severity as usize];
@@ -75,8 +78,15 @@ fn poisoned(severity: f64, seed: u64, attribute: u64) -> Case {
         recording.call("light", &[gl::LIGHT0.into(), gl::SPECULAR.into()], &[0.0; 4]);
     }
     recording.draw_as(gl::TRIANGLES, has::COLOR | has::NORMAL | has::COORDINATE, &all, attribute % 2 == 1);
+    // A poisoned triangle that is finite is judged like any other, and may reach anywhere; one that is not must not be seen beside its cell.
+    let finite = severity <= LARGEST;
+    let ours = |column: usize, row: usize| (column / CELL + row / CELL) % 2 == 0;
     let judge = move |frame: &Frame| {
-        let ours = |column: usize, row: usize| (column / CELL + row / CELL) % 2 == 0;
+        if finite {
+            let coverage = cover(&view, SIDE, SIDE, &all, |_, _| true);
+            let healthy = |triangle: u32| ours(triangle as usize % (SIDE / CELL) * CELL, triangle as usize / (SIDE / CELL) * CELL);
+            return judge_triangles(frame, &coverage, &view, &all, 24, healthy);
+        }
         let coverage = cover(&view, SIDE, SIDE, &good, ours);
         let mut seen = frame.clone();
         for (pixel, hits) in seen.stencil.iter_mut().enumerate() {
@@ -84,7 +94,7 @@ fn poisoned(severity: f64, seed: u64, attribute: u64) -> Case {
                 *hits = 0;
             }
         }
-        judge_triangles(&seen, &coverage, &view, &good, 24)
+        judge_triangles(&seen, &coverage, &view, &good, 24, |_| true)
     };
     Case { recording, judge: Box::new(judge) }
 }
