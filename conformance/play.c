@@ -26,6 +26,7 @@ static void play_depth_func(const struct argument *a) { glDepthFunc((GLenum)a[0]
 static void play_depth_mask(const struct argument *a) { glDepthMask((GLboolean)a[0].i); }
 static void play_blend_func(const struct argument *a) { glBlendFunc((GLenum)a[0].i, (GLenum)a[1].i); }
 static void play_blend_equation(const struct argument *a) { glBlendEquation((GLenum)a[0].i); }
+static void play_alpha_func(const struct argument *a) { glAlphaFunc((GLenum)a[0].i, a[1].f); }
 static void play_logic_op(const struct argument *a) { glLogicOp((GLenum)a[0].i); }
 static void play_shade_model(const struct argument *a) { glShadeModel((GLenum)a[0].i); }
 static void play_clear_color(const struct argument *a) { glClearColor(a[0].f, a[1].f, a[2].f, a[3].f); }
@@ -93,6 +94,7 @@ static const struct {
     {"depth_mask", 1, play_depth_mask},
     {"blend_func", 2, play_blend_func},
     {"blend_equation", 1, play_blend_equation},
+    {"alpha_func", 2, play_alpha_func},
     {"logic_op", 1, play_logic_op},
     {"shade_model", 1, play_shade_model},
     {"clear_color", 4, play_clear_color},

@@ -12,6 +12,7 @@ mod frame;
 mod machine;
 mod oracle;
 mod order;
+mod precision;
 mod recording;
 mod report;
 mod runner;
@@ -68,6 +69,8 @@ enum Command {
     Start(start::Options),
     /// Stiff and extreme cases against an exact oracle; writes report/stiff.html and report/stiff.json.
     Stiff(stiff::Options),
+    /// Error against run time; writes report/precision.html and report/precision.json.
+    Precision(precision::Options),
 }
 
 fn main() -> ExitCode {
@@ -78,6 +81,7 @@ fn main() -> ExitCode {
         Command::Clients(options) => clients::main(&options),
         Command::Start(options) => start::main(&options),
         Command::Stiff(options) => stiff::main(&options),
+        Command::Precision(options) => precision::main(&options),
     };
     match outcome {
         Ok(true) => ExitCode::SUCCESS,

@@ -15,7 +15,50 @@ pub struct Finding {
 }
 
 /// What we know of causes: family, metric, text.
-const CAUSES: &[(&str, &str, &str)] = &[];
+const CAUSES: &[(&str, &str, &str)] = &[
+    (
+        "homogeneous_scale",
+        "",
+        "Mesa runs with denormal numbers flushed to zero; at w = 2^-120 clip coordinates near the middle of the window are denormal and become 0. Tepui keeps them.",
+    ),
+    (
+        "far_vertices",
+        "wrong",
+        "Both clip at the frustum in single precision and have no bits left beyond 10^7 pixels. At 10^30 OSMesa drops triangles that Tepui still cuts (not traced further).",
+    ),
+    (
+        "texture_far_linear",
+        "",
+        "Up to 256 Tepui is exact where OSMesa filters with 8-bit weights. At 10^6 a coordinate moves in steps of four texels: both are chance.",
+    ),
+    ("texture_thin", "colour", "OSMesa filters with 8-bit weights, Tepui in single precision."),
+    (
+        "texture_minified",
+        "colour",
+        "OSMesa approximates the logarithm of the level of detail and mixes levels with 8-bit weights; Tepui does both in single precision.",
+    ),
+    (
+        "texture_grazing",
+        "colour",
+        "OSMesa approximates the logarithm of the level of detail and mixes levels with 8-bit weights; Tepui does both in single precision.",
+    ),
+    (
+        "clipped_slivers",
+        "",
+        "Tepui takes the distances from user clip planes in eye space, as 2.12 has it, Mesa in clip space: new vertices differ in their last bits, and slivers amplify them.",
+    ),
+    (
+        "special_values",
+        "",
+        "With coordinates of 3.4e38 sums overflow: each implementation leaves out other ones of the poisoned triangles.",
+    ),
+    (
+        "viewports",
+        "",
+        "A defect of Tepui: window coordinates are clamped to -8192..24575, so a viewport of 16384 whose origin is at -16128 is distorted.",
+    ),
+    ("blend_layers", "", "The kernels' and the CPU executor's blending is OSMesa's, product by product."),
+];
 
 /// A number of one severity, and how numbers of several severities are put together.
 type Metric = (&'static str, fn(&Outcome) -> f64, fn(f64, f64) -> f64);

@@ -12,7 +12,7 @@ mod lines_points;
 mod masks;
 mod meshes;
 mod page;
-mod plots;
+pub mod plots;
 mod run;
 mod special;
 mod texturing;
