@@ -202,8 +202,8 @@ mod tests {
     fn the_reference_is_a_picture_of_floor_and_ceiling() {
         let pixels = floor_reference();
         let red = |x: usize, y: usize| pixels[(y * SIDE + x) * 4];
-        // Cells near the eye are resolved, those at the horizon are grey (the mean of 40 and 230), and beyond the floor is nothing.
-        assert!((0..SIDE).any(|x| red(x, 2) > 220) && (0..SIDE).any(|x| red(x, 2) < 50));
+        // Cells near the eye (row 14; the near plane is at 13) are resolved, those at the horizon are grey (the mean of 40 and 230), and beyond the floor is nothing.
+        assert!((0..SIDE).any(|x| red(x, 14) > 220) && (0..SIDE).any(|x| red(x, 14) < 50));
         assert_eq!(red(128, 128), 0);
         let near_horizon: f64 = (0..SIDE).map(|x| f64::from(red(x, 122))).sum::<f64>() / SIDE as f64;
         assert!((near_horizon - 135.0).abs() < 15.0, "{near_horizon}");

@@ -57,6 +57,11 @@ const CAUSES: &[(&str, &str, &str)] = &[
         "",
         "A defect of Tepui: window coordinates are clamped to -8192..24575, so a viewport of 16384 whose origin is at -16128 is distorted.",
     ),
+    (
+        "lines_far",
+        "",
+        "With both ends 10^15 pixels away single precision loses lines; once in 64 lines Tepui draws half of one that misses the window by 10^7 pixels, and OSMesa does not (not traced further).",
+    ),
     ("blend_layers", "", "The kernels' and the CPU executor's blending is OSMesa's, product by product."),
 ];
 

@@ -7,9 +7,9 @@
 use super::common::Random;
 use super::{Case, Family, Score};
 use crate::frame::Frame;
-use crate::oracle::clip;
 use crate::oracle::coverage::HALF_SUBPIXEL;
 use crate::oracle::exact::Transform;
+use crate::oracle::{bound, clip};
 use crate::recording::{Recording, Vertex, View, gl, has};
 
 const SIDE: usize = 512;
@@ -33,28 +33,19 @@ pub fn families() -> Vec<Family> {
             inside: |_| true,
             make: |severity, seed| {
                 let mut random = Random::new("lines_wide", severity, seed);
-                (0..16)
-                    .map(|_| {
-                        let ends = ends(&mut random, 150.0);
-                        line(ends, severity as u32)
-                    })
-                    .collect()
+                (0..16).map(|_| line(View::pixels(SIDE, SIDE), ends(&mut random, 150.0), severity as u32)).collect()
             },
         },
         Family {
             name: "lines_far",
-            about: "Lines through the window, their ends at the distance that the severity says.",
+            about: "Lines whose ends lie at the distance that the severity says. Half of them run through the middle of the window exactly, as numbers and as a transform in single precision; of the others the nearest single-precision ends miss the window the more surely the farther they are.",
             knob: "distance, in pixels",
             severities: &[100.0, 1e3, 8e3, 1e5, 1e7, 1e15, 1e30],
             inside: |severity| severity < 8192.0,
             make: |severity, seed| {
                 let mut random = Random::new("lines_far", severity, seed);
-                (0..16)
-                    .map(|_| {
-                        let ends = ends(&mut random, severity);
-                        line(ends, 1)
-                    })
-                    .collect()
+                let beside = (0..8).map(|_| line(View::pixels(SIDE, SIDE), ends(&mut random, severity), 1)).collect::<Vec<_>>();
+                beside.into_iter().chain((0..8).map(|_| line(centred(), opposite(&mut random, severity), 1))).collect()
             },
         },
     ]
@@ -128,56 +119,99 @@ fn tally(frame: &Frame, must: &[u32], may: &[u32], score: &mut Score) {
     score.counts.beyond = score.counts.wrong;
 }
 
-fn line(ends: [[f32; 4]; 2], width: u32) -> Case {
-    let view = View::pixels(SIDE, SIDE);
+/// A view like that of pixels whose origin is the middle of the window.
+fn centred() -> View {
+    let mut view = View::pixels(SIDE, SIDE);
+    view.projection[12] = 0.0;
+    view.projection[13] = 0.0;
+    view
+}
+
+/// Both ends of a line through the origin, exactly: one is the other times a power of two.
+fn opposite(random: &mut Random, reach: f64) -> [[f32; 4]; 2] {
+    let angle = random.uniform(0.0, std::f64::consts::TAU);
+    let [x, y] = [angle.cos(), angle.sin()].map(|d| (d * reach) as f32);
+    [[x, y, 0.0, 1.0], [-0.5 * x, -0.5 * y, 0.0, 1.0]]
+}
+
+fn line(view: View, ends: [[f32; 4]; 2], width: u32) -> Case {
     let mut recording = Recording::new(SIDE, SIDE, 24);
     let vertices = ends.map(|position| Vertex { position, ..Vertex::new(0.0, 0.0, 0.0) });
     recording.view(&view).count_hits().call("line_width", &[], &[width as f32]).draw(gl::LINES, has::POSITION, &vertices);
     Case { recording, judge: Box::new(move |frame| judge_line(frame, &view, ends, f64::from(width))) }
 }
 
+/// What is left of a line after clipping.
+struct Segment {
+    /// Its ends, in the order of the major axis.
+    ends: [[f64; 2]; 2],
+    /// Indices of the major and the minor axis.
+    axes: [usize; 2],
+    /// How far single-precision clipping may be off, in pixels.
+    slack: f64,
+}
+
+impl Segment {
+    fn new(view: &View, ends: [[f32; 4]; 2]) -> Option<Segment> {
+        let transform = Transform::new(view)?;
+        // A polygon of two corners, cut like any other.
+        let (left, cut) = clip::polygon(transform.clip(&ends)?.0);
+        let places: Vec<[f64; 2]> = left.iter().map(|v| transform.window(v)).collect();
+        // The whole line's direction decides which axis is the major one; a part of it may be too short to tell.
+        let spread = |k: usize| (f64::from(ends[1][k]) - f64::from(ends[0][k])).abs();
+        let axes = if spread(0) >= spread(1) { [0, 1] } else { [1, 0] };
+        let ordered = |a: &&[f64; 2], b: &&[f64; 2]| a[axes[0]].total_cmp(&b[axes[0]]);
+        let ends_left = [*places.iter().min_by(ordered)?, *places.iter().max_by(ordered)?];
+        // In this family's views w is one everywhere.
+        let slack = if cut { bound::clip(view, &ends, 1.0) } else { 0.0 };
+        Some(Segment { ends: ends_left, axes, slack })
+    }
+
+    /// Samples that must be covered, samples that may be, and columns (rows of a y-major line) with a wrong number of fragments.
+    fn judge(&self, frame: &Frame, width: f64, slack: f64) -> (Vec<u32>, Vec<u32>, u64) {
+        let ([a, b], [major, minor]) = (self.ends, self.axes);
+        let (mut must, mut may) = (vec![0; SIDE * SIDE], vec![0; SIDE * SIDE]);
+        let slope = (b[minor] - a[minor]) / (b[major] - a[major]).max(1e-300);
+        let mut columns = vec![None; SIDE];
+        for (pixel, &hits) in frame.stencil.iter().enumerate() {
+            let at = [(pixel % SIDE) as f64 + 0.5, (pixel / SIDE) as f64 + 0.5];
+            let off = (at[minor] - (a[minor] + slope * (at[major] - a[major]))).abs();
+            let (inner, outer) = (1.0 + slack, 1.0 + slack + HALF_SUBPIXEL);
+            let surely_along = at[major] > a[major] + inner && at[major] < b[major] - inner;
+            let maybe_along = at[major] >= a[major] - inner && at[major] <= b[major] + inner;
+            if surely_along && off < width / 2.0 - outer {
+                must[pixel] = 1;
+            } else if maybe_along && off <= width / 2.0 + outer {
+                may[pixel] = 1;
+            }
+            if surely_along {
+                *columns[at[major] as usize].get_or_insert(0) += u32::from(hits);
+            }
+        }
+        // As many fragments as the line is wide, unless the border of the window cuts them off.
+        let margin = width / 2.0 + 1.0 + slack;
+        let wrong = columns.into_iter().enumerate().filter(|(column, hits)| {
+            let middle = a[minor] + slope * (*column as f64 + 0.5 - a[major]);
+            let whole = middle > margin && middle < SIDE as f64 - margin;
+            hits.is_some_and(|hits| whole && hits != width as u32)
+        });
+        (must, may, wrong.count() as u64)
+    }
+}
+
 fn judge_line(frame: &Frame, view: &View, ends: [[f32; 4]; 2], width: f64) -> Score {
     let mut score = Score::default();
-    // A polygon of two corners, cut like any other.
-    let transform = Transform::new(view);
-    let left = transform.as_ref().and_then(|t| t.clip(&ends).map(|(clips, _)| clip::polygon(clips).0)).unwrap_or_default();
-    let places: Vec<[f64; 2]> = transform.iter().flat_map(|t| left.iter().map(|v| t.window(v))).collect();
-    let (mut must, mut may) = (vec![0; SIDE * SIDE], vec![0; SIDE * SIDE]);
-    // Its direction decides which axis is the major one; the parts that are left have the same.
-    let spread = |k: usize| (f64::from(ends[1][k]) - f64::from(ends[0][k])).abs();
-    let (major, minor) = if spread(0) >= spread(1) { (0, 1) } else { (1, 0) };
-    let ordered = |a: &&[f64; 2], b: &&[f64; 2]| a[major].total_cmp(&b[major]);
-    let (Some(a), Some(b)) = (places.iter().min_by(ordered), places.iter().max_by(ordered)) else {
-        tally(frame, &must, &may, &mut score);
+    let Some(segment) = Segment::new(view, ends) else {
+        tally(frame, &vec![0; SIDE * SIDE], &vec![0; SIDE * SIDE], &mut score);
         return score;
     };
-    let slope = (b[minor] - a[minor]) / (b[major] - a[major]).max(1e-300);
-    let mut columns = vec![[0u32; 2]; SIDE];
-    for (pixel, &hits) in frame.stencil.iter().enumerate() {
-        let at = [(pixel % SIDE) as f64 + 0.5, (pixel / SIDE) as f64 + 0.5];
-        let off = (at[minor] - (a[minor] + slope * (at[major] - a[major]))).abs();
-        let surely_along = at[major] > a[major] + 1.0 && at[major] < b[major] - 1.0;
-        let maybe_along = at[major] >= a[major] - 1.0 && at[major] <= b[major] + 1.0;
-        if surely_along && off < width / 2.0 - 1.0 - HALF_SUBPIXEL {
-            must[pixel] = 1;
-        } else if maybe_along && off <= width / 2.0 + 1.0 + HALF_SUBPIXEL {
-            may[pixel] = 1;
-        }
-        if surely_along {
-            columns[at[major] as usize][0] += u32::from(hits);
-            columns[at[major] as usize][1] = 1;
-        }
-    }
+    let (must, may, columns) = segment.judge(frame, width, 0.0);
     tally(frame, &must, &may, &mut score);
-    // As many fragments as the line is wide, unless the border of the window cuts them off.
-    let margin = width / 2.0 + 1.0;
-    for (column, [hits, along]) in columns.into_iter().enumerate() {
-        let middle = a[minor] + slope * (column as f64 + 0.5 - a[major]);
-        if along == 1 && middle > margin && middle < SIDE as f64 - margin && hits != width as u32 {
-            score.counts.wrong += 1;
-            score.counts.beyond += 1;
-        }
-    }
+    score.counts.wrong += columns;
+    let mut wide = Score::default();
+    let (must, may, columns) = segment.judge(frame, width, segment.slack);
+    tally(frame, &must, &may, &mut wide);
+    score.counts.beyond = wide.counts.wrong + columns;
     score
 }
 
@@ -192,5 +226,24 @@ mod tests {
         assert_eq!(first(10.3, 2.0), [9.0, 9.0]);
         assert_eq!(first(10.7, 2.0), [10.0, 10.0]);
         assert_eq!(first(10.0, 1.0), [9.0, 10.0]);
+    }
+
+    #[test]
+    fn a_line_that_lacks_a_pixel_or_lies_elsewhere_is_wrong() {
+        let view = View::pixels(SIDE, SIDE);
+        let ends = [[10.5, 20.5, 0.0, 1.0], [90.5, 40.5, 0.0, 1.0]];
+        let draw = |at: &dyn Fn(usize) -> Option<usize>| {
+            let mut stencil = vec![0; SIDE * SIDE];
+            for x in 10..90 {
+                if let Some(y) = at(x) {
+                    stencil[y * SIDE + x] = 1;
+                }
+            }
+            judge_line(&Frame::of_stencil(SIDE, stencil), &view, ends, 1.0).counts.wrong
+        };
+        let ideal = |x: usize| 20 + (x - 10).div_ceil(4);
+        assert_eq!(draw(&|x| Some(ideal(x))), 0);
+        assert_eq!(draw(&|x| (x != 50).then(|| ideal(x))), 1, "a gap");
+        assert!(draw(&|x| Some(ideal(x) + 3)) > 70, "three pixels above");
     }
 }
