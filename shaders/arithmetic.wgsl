@@ -94,7 +94,64 @@ fn tp_finite(v: f32) -> bool {
     return (bitcast<u32>(v) & 0x7f800000u) != 0x7f800000u;
 }
 
-// The intrinsic of programs: products whose sums no compiler may join them to.
+fn tp_log2(x: f32) -> f32 {
+//#if FMA64
+    // As src/program/lanes/math.rs, so that both executors choose the same level.
+    let bits = bitcast<i32>(x);
+    let e = (bits - 0x3f3504f3) >> 23u;
+    let m = f64(bitcast<f32>(bits - (e << 23u)));
+    let f = (m - f64(1.0)) / (m + f64(1.0));
+    let s = f * f;
+    var p = f64(1.0) / f64(15.0);
+    p = p * s + f64(1.0) / f64(13.0);
+    p = p * s + f64(1.0) / f64(11.0);
+    p = p * s + f64(1.0) / f64(9.0);
+    p = p * s + f64(1.0) / f64(7.0);
+    p = p * s + f64(1.0) / f64(5.0);
+    p = p * s + f64(1.0) / f64(3.0);
+    p = p * s + f64(1.0);
+    let r = f32(f64(e) + f64(2.0) * f * p * f64(1.442695040888963407));
+    return select(r, -1e30, x <= 0.0);
+//#else
+    return select(log2(x), -1e30, x <= 0.0);
+//#endif
+}
+
+// The intrinsic of programs: pow. Mesa's lavapipe has a logarithm of few digits, which an exponent of 128 multiplies.
+fn power(a: f32, b: f32) -> f32 {
+//#if FMA64
+    return exp2(b * tp_log2(a));
+//#else
+    return pow(a, b);
+//#endif
+}
+
+// The intrinsics of programs: normalize and inverseSqrt. Lavapipe's reciprocal square root has twelve digits, its square root all.
+fn inverse_root(a: f32) -> f32 {
+//#if FMA64
+    return 1.0 / sqrt(a);
+//#else
+    return inverseSqrt(a);
+//#endif
+}
+
+fn unit(v: vec3<f32>) -> vec3<f32> {
+//#if FMA64
+    return v * inverse_root(dot(v, v));
+//#else
+    return normalize(v);
+//#endif
+}
+
+// The intrinsics of programs: products that no compiler joins with the sums that follow.
 fn product(a: vec4<f32>, b: f32) -> vec4<f32> {
     return tp_mul4(a, b);
+}
+
+fn products(a: vec4<f32>, b: vec4<f32>) -> vec4<f32> {
+//#if FUSES
+    return fma(a, b, vec4<f32>(tp_zero()));
+//#else
+    return a * b;
+//#endif
 }

@@ -1,4 +1,4 @@
-// A lane a triangle: which bins of 64 x 64 pixels does it touch? A bit a triangle is set in the bin's mask of its block
+// A lane a triangle (or a triangle and a row of bins): which bins of 64 x 64 pixels does it touch? A bit a triangle is set in the bin's mask of its block
 // (32 triangles). Reads triangles, writes masks (zero before; emit leaves them zero).
 
 fn tp_outside(base: u32, corner: vec2<i32>) -> bool {
@@ -21,8 +21,12 @@ fn tp_outside(base: u32, corner: vec2<i32>) -> bool {
 
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    let index = id.x + id.y * groups.x * TP_LANES;
-    if (index >= tp_triangle_count()) {
+    // Few triangles are mostly large ones: they get a lane for each row of bins.
+    let count = tp_triangle_count();
+    let lanes = select(1u, tp.bins.y, count < TP_FEW_TRIANGLES);
+    let number = id.x + id.y * groups.x * TP_LANES;
+    let index = number / lanes;
+    if (index >= count) {
         return;
     }
     let base = (tp_first_triangle() + index) * TP_TRIANGLE_WORDS;
@@ -30,8 +34,9 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
     let rows = tp_triangles[base + TP_TRIANGLE_ROWS];
     let x0 = (columns & 0xffffu) >> 6u;
     let x1 = columns >> 22u;
-    let y0 = (rows & 0xffffu) >> 6u;
-    let y1 = rows >> 22u;
+    let row = number % lanes;
+    let y0 = max((rows & 0xffffu) >> 6u, row);
+    let y1 = select(rows >> 22u, min(rows >> 22u, row), lanes > 1u);
     if (x1 < x0 || y1 < y0) {
         return;
     }

@@ -31,14 +31,23 @@ struct TpParams {
     action: u32,
 }
 
+//#if VISIBLE
+//#else
 @group(0) @binding(0) var<storage, read> uniforms: array<vec4<f32>>;
-@group(0) @binding(1) var<storage, read> tp_records: array<u32>;
 @group(0) @binding(2) var<storage, read> tp_triangles: array<u32>;
+//#if VECTORS
+// A GPU loads four words as fast as one.
+@group(0) @binding(1) var<storage, read> tp_records: array<vec4<u32>>;
+@group(0) @binding(3) var<storage, read> tp_planes: array<vec4<f32>>;
+@group(0) @binding(4) var<storage, read_write> tp_lists: array<vec4<u32>>;
+//#else
+@group(0) @binding(1) var<storage, read> tp_records: array<u32>;
 @group(0) @binding(3) var<storage, read> tp_planes: array<f32>;
 //#if ATOMIC_LISTS
 @group(0) @binding(4) var<storage, read_write> tp_lists: array<atomic<u32>>;
 //#else
 @group(0) @binding(4) var<storage, read_write> tp_lists: array<u32>;
+//#endif
 //#endif
 @group(0) @binding(5) var<storage, read_write> tp_color: array<u32>;
 @group(0) @binding(6) var<storage, read_write> tp_depth: array<u32>;
@@ -66,6 +75,7 @@ fn tp_blocks() -> u32 {
 fn tp_supers() -> u32 {
     return tp_segments[tp.segment * TP_SEGMENT_WORDS + 3u];
 }
+//#endif
 
 // Edge function i of a triangle: dx * (y - y_i) - dy * (x - x_i), with dx = x_i - x_j, dy = y_i - y_j, j the next vertex;
 // positive inside. 0 where samples on the edge itself belong to the triangle, else 1. Left edges do, and of the horizontal ones

@@ -13,8 +13,8 @@ fn tp_main(@builtin(workgroup_id) workgroup: vec3<u32>, @builtin(local_invocatio
     if (group >= tf.groups) {
         return;
     }
-    let first = tp_records[tf.group_base + group * 2u];
-    let count = tp_records[tf.group_base + group * 2u + 1u];
+    let first = tp_front_records[tf.group_base + group * 2u];
+    let count = tp_front_records[tf.group_base + group * 2u + 1u];
     var sum = vec4<u32>(0u);
 //#if RUNS
     var k = lane * TP_RUN;

@@ -14,23 +14,32 @@ var<private> tp_pixels: array<TpPixel, TP_ROWS>;
 var<private> tp_depths: array<u32, TP_ROWS>;
 //#endif
 
+// A word of the lists.
+fn tp_list(at: u32) -> u32 {
+//#if VECTORS
+    return tp_lists[at >> 2u][at & 3u];
+//#else
+    return tp_lists[at];
+//#endif
+}
+
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let slot = group.x + group.y * 32768u;
-    if (slot >= tp_lists[2]) {
+    if (slot >= tp_list(2u)) {
         return;
     }
-    let work = tp_lists[tp.work_base + slot];
+    let work = tp_list(tp.work_base + slot);
     let bin = work >> 6u;
     let tile = work & 63u;
     let origin = vec2<u32>((bin % tp.bins.x) * 64u + (tile & 7u) * 8u, (bin / tp.bins.x) * 64u + (tile >> 3u) * 8u);
-    let first_block = tp_lists[tp.bin_base + bin * 2u];
-    let blocks = (tp_lists[tp.bin_base + bin * 2u + 1u] + 31u) / 32u;
+    let first_block = tp_list(tp.bin_base + bin * 2u);
+    let blocks = (tp_list(tp.bin_base + bin * 2u + 1u) + 31u) / 32u;
     // The first triangle.
     var block = 0u;
     var bits = 0u;
     loop {
-        bits = tp_lists[tp.tile_base + (first_block + block) * 64u + tile];
+        bits = tp_list(tp.tile_base + (first_block + block) * 64u + tile);
         continuing {
             block++;
             break if bits != 0u || block >= blocks;
@@ -207,7 +216,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
             if (bits != 0u || block >= blocks) {
                 break;
             }
-            bits = tp_lists[tp.tile_base + (first_block + block) * 64u + tile];
+            bits = tp_list(tp.tile_base + (first_block + block) * 64u + tile);
             block++;
         }
         continuing {

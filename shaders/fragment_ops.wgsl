@@ -1,5 +1,14 @@
 // Per-fragment tests: alpha, stencil, depth, polygon stipple, and the words of a draw's state that they read.
 
+// A word of the records.
+fn tp_record(at: u32) -> u32 {
+//#if VECTORS
+    return tp_records[at >> 2u][at & 3u];
+//#else
+    return tp_records[at];
+//#endif
+}
+
 struct TpState {
     flags: u32,
     depth_func: u32,
@@ -64,7 +73,7 @@ fn tp_stencil_update(s: TpState, old: u32, stencil_pass: bool, depth_pass: bool)
 fn tp_stipple(s: TpState, flags: u32, px: u32, py: u32) -> bool {
     let on = (flags & TP_POLYGON) != 0u && s.stipple != 0xffffffffu;
     let row = select(py, tp.size.y - 1u - py, tp.top_first != 0u);
-    let word = tp_records[select(0u, s.stipple, on) + (row & 31u)];
+    let word = tp_record(select(0u, s.stipple, on) + (row & 31u));
     return !on || ((word >> (31u - (px & 31u))) & 1u) != 0u;
 }
 //#endif

@@ -20,14 +20,24 @@ struct TpFront {
     block_base: u32,
     state_base: u32,
     bins: u32,
+    bin_rows: u32,
     list_lanes: u32,
     top_first: u32,
     // -0, see tp_mul.
     zero: f32,
     action: u32,
     vertex_blocks: u32,
+    first_primitive: u32,
+    primitive_count: u32,
+    item_base: u32,
+    item_capacity: u32,
+    fan_base: u32,
+    fan_capacity: u32,
+    map_base: u32,
 }
 
+//#if VISIBLE
+//#else
 //#if VERTEX
 @group(0) @binding(0) var<storage, read> uniforms: array<vec4<f32>>;
 @group(0) @binding(1) var<storage, read> tp_vertices: array<f32>;
@@ -35,7 +45,7 @@ struct TpFront {
 // {v0, v1, v2, draw and flags} each.
 @group(0) @binding(2) var<storage, read> tp_primitives: array<vec4<u32>>;
 // Draws, raster states, blocks of vertices, groups of primitives.
-@group(0) @binding(3) var<storage, read> tp_records: array<u32>;
+@group(0) @binding(3) var<storage, read> tp_front_records: array<u32>;
 // Shaded vertices as their draws lay them out; behind them the pool: vertices that clipping makes.
 @group(0) @binding(4) var<storage, read_write> tp_shaded: array<vec4<f32>>;
 // Two vec4 a vertex: window x, y, z, 1/w; snapped x, y, clip code, nothing.
@@ -49,6 +59,7 @@ struct TpFront {
 fn tp_zero() -> f32 {
     return tf.zero;
 }
+//#endif
 
 // A window coordinate in 1/256 pixel from the centre of pixel 0, rounded to the nearest (even).
 fn tp_snap(v: f32) -> i32 {
@@ -58,15 +69,15 @@ fn tp_snap(v: f32) -> i32 {
 }
 
 fn tp_state_float(state: u32, word: u32) -> f32 {
-    return bitcast<f32>(tp_records[state + word]);
+    return bitcast<f32>(tp_front_records[state + word]);
 }
 
 fn tp_viewport_scale(state: u32) -> vec3<f32> {
     let at = state + TP_STATE_VIEWPORT_SCALE;
-    return bitcast<vec3<f32>>(vec3<u32>(tp_records[at], tp_records[at + 1u], tp_records[at + 2u]));
+    return bitcast<vec3<f32>>(vec3<u32>(tp_front_records[at], tp_front_records[at + 1u], tp_front_records[at + 2u]));
 }
 
 fn tp_viewport_translate(state: u32) -> vec3<f32> {
     let at = state + TP_STATE_VIEWPORT_TRANSLATE;
-    return bitcast<vec3<f32>>(vec3<u32>(tp_records[at], tp_records[at + 1u], tp_records[at + 2u]));
+    return bitcast<vec3<f32>>(vec3<u32>(tp_front_records[at], tp_front_records[at + 1u], tp_front_records[at + 2u]));
 }

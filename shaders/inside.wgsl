@@ -56,8 +56,8 @@ fn tp_main(@builtin(workgroup_id) workgroup: vec3<u32>, @builtin(local_invocatio
     if (group >= tf.groups) {
         return;
     }
-    let first = tp_records[tf.group_base + group * 2u];
-    let count = tp_records[tf.group_base + group * 2u + 1u];
+    let first = tp_front_records[tf.group_base + group * 2u];
+    let count = tp_front_records[tf.group_base + group * 2u + 1u];
 //#if RUNS
     let at = tf.sums_base + (group * TP_LANES + lane) * 4u;
     var place = vec4<u32>(tp_front[at], tp_front[at + 1u], tp_front[at + 2u], tp_front[at + 3u]);

@@ -11,7 +11,7 @@ var<workgroup> tp_stopped: u32;
 
 // First triangle of a segment, and one past its last.
 fn tp_range(s: u32) -> vec2<u32> {
-    let groups = vec2<u32>(tp_records[tf.segment_base + s * 3u], tp_records[tf.segment_base + s * 3u + 1u]);
+    let groups = vec2<u32>(tp_front_records[tf.segment_base + s * 3u], tp_front_records[tf.segment_base + s * 3u + 1u]);
     return vec2<u32>(tp_front[tf.sums_base + groups.x * TP_SUMS * 4u], tp_front[tf.sums_base + groups.y * TP_SUMS * 4u]);
 }
 
@@ -69,7 +69,7 @@ fn tp_main(@builtin(local_invocation_index) lane: u32) {
     for (var s = lane; s < tf.segments; s += TP_LANES) {
         let range = tp_range(s);
         let blocks = (range.y - range.x + 31u) / 32u;
-        if (blocks > tp_records[tf.segment_base + s * 3u + 2u]) {
+        if (blocks > tp_front_records[tf.segment_base + s * 3u + 2u]) {
             atomicMax(&tp_most_blocks, blocks);
         }
     }
@@ -108,7 +108,7 @@ fn tp_main(@builtin(local_invocation_index) lane: u32) {
         tp_front[at + 2u] = blocks;
         tp_front[at + 3u] = supers;
         let dispatch = TP_SEGMENT_DISPATCH + (tf.first_segment + s) * 8u;
-        tp_dispatch(dispatch, count);
+        tp_dispatch(dispatch, count * select(1u, tf.bin_rows, count < TP_FEW_TRIANGLES));
         tp_dispatch(dispatch + 4u, tf.bins * supers);
     }
 }

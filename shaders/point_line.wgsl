@@ -25,7 +25,7 @@ fn tp_rectangle(p: TpPrimitive, index: u32, x: vec4<i32>, y: vec4<i32>, flags: u
 // A point: a square of pixels around its place, all values constant.
 fn tp_point(p: TpPrimitive, index: u32, a: TpCorner, front: bool) {
     var size = tp_state_float(p.state, TP_STATE_POINT_SIZE);
-    let written = tp_records[p.record + TP_DRAW_POINT_SIZE];
+    let written = tp_front_records[p.record + TP_DRAW_POINT_SIZE];
     if (written != TP_NONE) {
         size = tp_shaded[a.at + written].x;
     }
@@ -51,7 +51,7 @@ fn tp_point(p: TpPrimitive, index: u32, a: TpCorner, front: bool) {
 //#endif
     tp_planes[tp_next_planes] = vec4<f32>(a.position.z, 0.0, 0.0, a.inv_w);
     tp_planes[tp_next_planes + 1u] = vec4<f32>(0.0);
-    let count = tp_records[p.record + TP_DRAW_VARYING_COUNT];
+    let count = tp_front_records[p.record + TP_DRAW_VARYING_COUNT];
     for (var k = 0u; k < count; k++) {
         let input = tp_varying(p.record, k, front);
         var planes = tp_constant(tp_shaded[a.at + input.x]);
@@ -166,7 +166,7 @@ fn tp_line(p: TpPrimitive, index: u32, a: TpCorner, b: TpCorner, front: bool) {
     let across = 0.5 * min(max(width, 1.0), 255.0) + 0.5;
     let along = 0.5 * length + 0.5;
 //#endif
-    let count = tp_records[p.record + TP_DRAW_VARYING_COUNT];
+    let count = tp_front_records[p.record + TP_DRAW_VARYING_COUNT];
     for (var k = 0u; k < count; k++) {
         let input = tp_varying(p.record, k, front);
         var planes = tp_constant(tp_shaded[tp_provoking + input.x]);

@@ -26,11 +26,11 @@ fn tp_primitive(index: u32) -> TpPrimitive {
     p.draw = words.w & 0xffffffu;
     p.edges = (words.w >> 24u) & 7u;
     p.record = p.draw * TP_DRAW_RECORD_WORDS;
-    p.state = tf.state_base + tp_records[p.record + TP_DRAW_RASTER_STATE] * TP_STATE_WORDS;
-    p.flags = tp_records[p.state + TP_STATE_FLAGS];
-    p.topology = tp_records[p.record + TP_DRAW_TOPOLOGY];
-    p.plane_stride = TP_DEPTH_PLANE_VEC4 + TP_VARYING_PLANE_VEC4 * tp_records[p.record + TP_DRAW_VARYING_COUNT];
-    p.shaded_stride = tp_records[p.record + TP_DRAW_SHADED_STRIDE];
+    p.state = tf.state_base + tp_front_records[p.record + TP_DRAW_RASTER_STATE] * TP_STATE_WORDS;
+    p.flags = tp_front_records[p.state + TP_STATE_FLAGS];
+    p.topology = tp_front_records[p.record + TP_DRAW_TOPOLOGY];
+    p.plane_stride = TP_DEPTH_PLANE_VEC4 + TP_VARYING_PLANE_VEC4 * tp_front_records[p.record + TP_DRAW_VARYING_COUNT];
+    p.shaded_stride = tp_front_records[p.record + TP_DRAW_SHADED_STRIDE];
     // Vertices that the topology has not repeat the last one.
     var v = words.xyz;
     if (p.topology == TP_POINTS) {
@@ -39,8 +39,8 @@ fn tp_primitive(index: u32) -> TpPrimitive {
     if (p.topology == TP_LINES) {
         v = v.xyy;
     }
-    p.shaded = tp_records[p.record + TP_DRAW_SHADED_BASE] + v * p.shaded_stride;
-    p.screen = tp_records[p.record + TP_DRAW_SCREEN_BASE] + v;
+    p.shaded = tp_front_records[p.record + TP_DRAW_SHADED_BASE] + v * p.shaded_stride;
+    p.screen = tp_front_records[p.record + TP_DRAW_SCREEN_BASE] + v;
     let codes = vec3<u32>(tp_screen[p.screen.x * 2u + 1u].z, tp_screen[p.screen.y * 2u + 1u].z, tp_screen[p.screen.z * 2u + 1u].z);
     p.code_or = codes.x | codes.y | codes.z;
     p.code_and = codes.x & codes.y & codes.z;
@@ -68,8 +68,8 @@ fn tp_is_culled(front: bool, flags: u32) -> bool {
 // First and last column and row that a sample may lie in, packed, scissor applied; 1 in z where the scissor took some away;
 // columns TP_NOWHERE where no sample is left.
 fn tp_bounds(x: vec3<i32>, y: vec3<i32>, state: u32) -> vec3<u32> {
-    let low = bitcast<vec2<i32>>(vec2<u32>(tp_records[state + TP_STATE_SCISSOR_MIN], tp_records[state + TP_STATE_SCISSOR_MIN + 1u]));
-    let high = bitcast<vec2<i32>>(vec2<u32>(tp_records[state + TP_STATE_SCISSOR_MAX], tp_records[state + TP_STATE_SCISSOR_MAX + 1u])) - 1;
+    let low = bitcast<vec2<i32>>(vec2<u32>(tp_front_records[state + TP_STATE_SCISSOR_MIN], tp_front_records[state + TP_STATE_SCISSOR_MIN + 1u]));
+    let high = bitcast<vec2<i32>>(vec2<u32>(tp_front_records[state + TP_STATE_SCISSOR_MAX], tp_front_records[state + TP_STATE_SCISSOR_MAX + 1u])) - 1;
     let first = (vec2<i32>(min(min(x.x, x.y), x.z), min(min(y.x, y.y), y.z)) + 255) >> vec2<u32>(8u);
     let last = vec2<i32>(max(max(x.x, x.y), x.z), max(max(y.x, y.y), y.z)) >> vec2<u32>(8u);
     let least = max(first, low);
@@ -97,7 +97,7 @@ fn tp_count(p: TpPrimitive) -> vec4<u32> {
             return vec4<u32>(0u);
         }
 //#if UNFILLED
-        if (tp_records[p.state + TP_STATE_POLYGON_MODE + select(1u, 0u, front)] != TP_TRIANGLES) {
+        if (tp_front_records[p.state + TP_STATE_POLYGON_MODE + select(1u, 0u, front)] != TP_TRIANGLES) {
             let edges = countOneBits(p.edges);
             return vec4<u32>(2u * edges, edges * p.plane_stride, 0u, 0u);
         }
@@ -114,7 +114,7 @@ fn tp_count(p: TpPrimitive) -> vec4<u32> {
     let planes = countOneBits(p.code_or);
     var triangles = 1u + planes;
 //#if UNFILLED
-    if ((tp_records[p.state + TP_STATE_POLYGON_MODE] & tp_records[p.state + TP_STATE_POLYGON_MODE + 1u] & TP_TRIANGLES) == 0u) {
+    if ((tp_front_records[p.state + TP_STATE_POLYGON_MODE] & tp_front_records[p.state + TP_STATE_POLYGON_MODE + 1u] & TP_TRIANGLES) == 0u) {
         triangles = 2u * (3u + planes);
     }
 //#endif

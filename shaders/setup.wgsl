@@ -1,82 +1,15 @@
-// Set-up: what a corner of a triangle is, and how triangles and their planes are written: the twin of src/raster/setup.rs, in the same
-// order of operations. Shared by the set-up kernel (primitives inside the view volume) and the clip kernel (all others).
-
-struct TpCorner {
-    position: vec3<f32>,
-    inv_w: f32,
-    snapped: vec2<i32>,
-    // Its first vec4 in tp_shaded.
-    at: u32,
-}
-
-// What the planes of a triangle share.
-struct TpBasis {
-    x0c: f32,
-    y0c: f32,
-    dx01: f32,
-    dy01: f32,
-    dx20: f32,
-    dy20: f32,
-}
+// Set-up: triangles and their planes are written: the twin of src/raster/setup.rs. Shared by the set-up kernel (primitives inside the view
+// volume) and the clip kernel (all others).
 
 // Where the next triangle and the next planes go.
 var<private> tp_next_triangle: u32;
 var<private> tp_next_planes: u32;
-// The vertex that flat varyings come from (vec4 in tp_shaded).
-var<private> tp_provoking: u32;
-
-fn tp_corner(screen: u32, shaded: u32) -> TpCorner {
-    let place = bitcast<vec4<f32>>(tp_screen[screen * 2u]);
-    return TpCorner(place.xyz, place.w, bitcast<vec2<i32>>(tp_screen[screen * 2u + 1u].xy), shaded);
-}
-
-fn tp_basis(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> TpBasis {
-    let d01 = a.xy - b.xy;
-    let d20 = c.xy - a.xy;
-    let ooa = tp_reciprocal(tp_mul(d01.x, d20.y) - tp_mul(d20.x, d01.y));
-    return TpBasis(a.x - 0.5, a.y - 0.5, d01.x * ooa, d01.y * ooa, d20.x * ooa, d20.y * ooa);
-}
-
-// a0, d/dx, d/dy of four values given at the corners.
-fn tp_plane(t: TpBasis, a: vec4<f32>, b: vec4<f32>, c: vec4<f32>) -> array<vec4<f32>, 3> {
-    let da01 = a - b;
-    let da20 = c - a;
-    let dx = tp_mul4(da01, t.dy20) - tp_mul4(da20, t.dy01);
-    let dy = tp_mul4(da20, t.dx01) - tp_mul4(da01, t.dx20);
-    return array<vec4<f32>, 3>(a - (tp_mul4(dx, t.x0c) + tp_mul4(dy, t.y0c)), dx, dy);
-}
 
 fn tp_write_planes(k: u32, planes: array<vec4<f32>, 3>) {
     let at = tp_next_planes + TP_DEPTH_PLANE_VEC4 + k * TP_VARYING_PLANE_VEC4;
     tp_planes[at] = planes[0];
     tp_planes[at + 1u] = planes[1];
     tp_planes[at + 2u] = planes[2];
-}
-
-// vec4 of a varying in a shaded vertex (x), and its interpolation (y).
-fn tp_varying(record: u32, k: u32, front: bool) -> vec2<u32> {
-    let word = tp_records[record + TP_DRAW_VARYINGS + k];
-    return vec2<u32>(select(word >> 8u, word, front) & 0xffu, (word >> 16u) & 3u);
-}
-
-fn tp_full_coverage() -> array<vec4<f32>, 3> {
-    return array<vec4<f32>, 3>(vec4<f32>(0.0, 1.0, 0.0, 1.0), vec4<f32>(0.0), vec4<f32>(0.0));
-}
-
-fn tp_constant(v: vec4<f32>) -> array<vec4<f32>, 3> {
-    return array<vec4<f32>, 3>(v, vec4<f32>(0.0), vec4<f32>(0.0));
-}
-
-// The z offset of a polygon: units + factor * the greatest slope (3.5.5).
-fn tp_polygon_offset(state: u32, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> f32 {
-    let d01 = a - b;
-    let d20 = c - a;
-    let ooa = tp_reciprocal(tp_mul(d01.x, d20.y) - tp_mul(d20.x, d01.y));
-    let dzdx = abs((tp_mul(d01.z, d20.y) - tp_mul(d20.z, d01.y)) * ooa);
-    let dzdy = abs((tp_mul(d20.z, d01.x) - tp_mul(d01.z, d20.x)) * ooa);
-    let slope = select(dzdy, dzdx, dzdx > dzdy);
-    let offset = tp_state_float(state, TP_STATE_OFFSET_UNITS) + tp_mul(slope, tp_state_float(state, TP_STATE_OFFSET_FACTOR));
-    return select(0.0, offset, tp_finite(offset));
 }
 
 fn tp_write_triangle(p: TpPrimitive, index: u32, x: vec3<i32>, y: vec3<i32>, columns: u32, rows: u32, flags: u32) {
@@ -123,28 +56,12 @@ fn tp_triangle(p: TpPrimitive, index: u32, a: TpCorner, b: TpCorner, c: TpCorner
     }
 //#endif
     let basis = tp_basis(a.position, b.position, c.position);
-    let zw = tp_plane(
-        basis,
-        vec4<f32>(a.position.z, a.inv_w, 0.0, 0.0),
-        vec4<f32>(b.position.z, b.inv_w, 0.0, 0.0),
-        vec4<f32>(c.position.z, c.inv_w, 0.0, 0.0));
+    let zw = tp_depth_planes(basis, a, b, c);
     tp_planes[tp_next_planes] = vec4<f32>(zw[0].x, zw[1].x, zw[2].x, zw[0].y);
     tp_planes[tp_next_planes + 1u] = vec4<f32>(zw[1].y, zw[2].y, offset, 0.0);
-    let count = tp_records[p.record + TP_DRAW_VARYING_COUNT];
+    let count = tp_front_records[p.record + TP_DRAW_VARYING_COUNT];
     for (var k = 0u; k < count; k++) {
-        let input = tp_varying(p.record, k, front);
-        var planes = tp_constant(tp_shaded[tp_provoking + input.x]);
-        if (input.y == TP_INTERPOLATE_COVERAGE) {
-            planes = tp_full_coverage();
-        } else if (input.y != TP_INTERPOLATE_FLAT) {
-            let w = select(vec3<f32>(1.0), vec3<f32>(a.inv_w, b.inv_w, c.inv_w), input.y == TP_INTERPOLATE_PERSPECTIVE);
-            planes = tp_plane(
-                basis,
-                tp_mul4(tp_shaded[a.at + input.x], w.x),
-                tp_mul4(tp_shaded[b.at + input.x], w.y),
-                tp_mul4(tp_shaded[c.at + input.x], w.z));
-        }
-        tp_write_planes(k, planes);
+        tp_write_planes(k, tp_varying_planes(p, k, front, basis, a, b, c));
     }
     tp_write_triangle(p, index, x, y, box.x, box.y, flags);
     tp_next_planes += p.plane_stride;
@@ -168,7 +85,7 @@ fn tp_polygon(p: TpPrimitive, index: u32, a: TpCorner, b: TpCorner, c: TpCorner,
         return;
     }
 //#if UNFILLED
-    let mode = tp_records[p.state + TP_STATE_POLYGON_MODE + select(1u, 0u, front)];
+    let mode = tp_front_records[p.state + TP_STATE_POLYGON_MODE + select(1u, 0u, front)];
     if (mode != TP_TRIANGLES) {
         let lines = mode == TP_LINES;
         var offset = 0.0;

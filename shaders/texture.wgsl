@@ -115,7 +115,7 @@ fn tp_lerp(a: vec4<f32>, b: vec4<f32>, t: f32) -> vec4<f32> {
     return a + t * (b - a);
 }
 
-fn tp_plane(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, x: TpAxis, y: TpAxis, z: i32) -> vec4<f32> {
+fn tp_bilinear(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, x: TpAxis, y: TpAxis, z: i32) -> vec4<f32> {
     let low = tp_lerp(tp_texel(t, c, offset, size, x.low, y.low, z), tp_texel(t, c, offset, size, x.high, y.low, z), x.weight);
     let high = tp_lerp(tp_texel(t, c, offset, size, x.low, y.high, z), tp_texel(t, c, offset, size, x.high, y.high, z), x.weight);
     return tp_lerp(low, high, y.weight);
@@ -143,10 +143,10 @@ fn tp_level(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, linear: bool
     }
     let y = tp_linear(p.y, size.y, c.wrap.y);
     if (c.kind != 3u) {
-        return tp_plane(t, c, offset, size, x, y, face) * scale;
+        return tp_bilinear(t, c, offset, size, x, y, face) * scale;
     }
     let z = tp_linear(p.z, size.z, c.wrap.z);
-    return tp_lerp(tp_plane(t, c, offset, size, x, y, z.low), tp_plane(t, c, offset, size, x, y, z.high), z.weight) * scale;
+    return tp_lerp(tp_bilinear(t, c, offset, size, x, y, z.low), tp_bilinear(t, c, offset, size, x, y, z.high), z.weight) * scale;
 }
 
 // The coordinates of a direction on a face of a cube map (table 3.19).
@@ -166,29 +166,6 @@ fn tp_major_face(d: vec3<f32>) -> i32 {
     let y = a.y >= a.z;
     let base = select(select(4, 2, y), 0, x);
     return base + select(0, 1, select(select(d.z, d.y, y), d.x, x) < 0.0);
-}
-
-fn tp_log2(x: f32) -> f32 {
-//#if FMA64
-    // As src/program/lanes/math.rs, so that both executors choose the same level.
-    let bits = bitcast<i32>(x);
-    let e = (bits - 0x3f3504f3) >> 23u;
-    let m = f64(bitcast<f32>(bits - (e << 23u)));
-    let f = (m - f64(1.0)) / (m + f64(1.0));
-    let s = f * f;
-    var p = f64(1.0) / f64(15.0);
-    p = p * s + f64(1.0) / f64(13.0);
-    p = p * s + f64(1.0) / f64(11.0);
-    p = p * s + f64(1.0) / f64(9.0);
-    p = p * s + f64(1.0) / f64(7.0);
-    p = p * s + f64(1.0) / f64(5.0);
-    p = p * s + f64(1.0) / f64(3.0);
-    p = p * s + f64(1.0);
-    let r = f32(f64(e) + f64(2.0) * f * p * f64(1.442695040888963407));
-    return select(r, -1e30, x <= 0.0);
-//#else
-    return select(log2(x), -1e30, x <= 0.0);
-//#endif
 }
 
 fn tp_level_size(t: TpTexture, c: TpClass, level: u32) -> vec3<i32> {
@@ -242,11 +219,11 @@ fn tp_sample(t: TpTexture, c: TpClass, coord: vec4<f32>, ddx: vec4<f32>, ddy: ve
     }
     let level = select(0u, min(u32(max(whole, 0.0)), t.last), minified);
     let size = tp_level_size(t, c, level);
-    var v = tp_level(t, c, tp_records[t.levels + level], size, c.min_linear, p);
+    var v = tp_level(t, c, tp_record(t.levels + level), size, c.min_linear, p);
     if (c.mip == 2u) {
         let next = min(level + 1u, t.last);
         let blend = select(0.0, lambda - whole, minified && level < t.last);
-        v = tp_lerp(v, tp_level(t, c, tp_records[t.levels + next], tp_level_size(t, c, next), c.min_linear, p), blend);
+        v = tp_lerp(v, tp_level(t, c, tp_record(t.levels + next), tp_level_size(t, c, next), c.min_linear, p), blend);
     }
     if (c.mag_linear != c.min_linear) {
         v = select(tp_level(t, c, t.offset, t.size, c.mag_linear, p), v, minified);

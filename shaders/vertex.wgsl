@@ -2,11 +2,11 @@
 // that the spliced program reads, runs it, writes its outputs, and puts the vertex on the screen with its clip code.
 
 fn tp_attribute(record: u32, slot: u32, vertex: u32) -> vec4<f32> {
-    let offset = tp_records[record + TP_DRAW_ATTRIBUTE_OFFSET + slot];
+    let offset = tp_front_records[record + TP_DRAW_ATTRIBUTE_OFFSET + slot];
     if (offset == TP_NONE) {
-        return uniforms[tp_records[record + TP_DRAW_CONSTANTS] + slot];
+        return uniforms[tp_front_records[record + TP_DRAW_CONSTANTS] + slot];
     }
-    let size = tp_records[record + TP_DRAW_ATTRIBUTE_SIZE + slot];
+    let size = tp_front_records[record + TP_DRAW_ATTRIBUTE_SIZE + slot];
     let at = vertex + offset;
     // Words that are not there are read as the first one and not used.
     let y = tp_vertices[select(at, at + 1u, size > 1u)];
@@ -38,7 +38,7 @@ fn tp_user_code(distances: vec4<f32>, first: u32, count: u32) -> u32 {
 
 // Where a clip position lies on the screen: one division, then fused.
 fn tp_to_screen(vertex: u32, p: vec4<f32>, state: u32, user: u32) {
-    let flags = tp_records[state + TP_STATE_FLAGS];
+    let flags = tp_front_records[state + TP_STATE_FLAGS];
     var position = p.xyz;
     var inv_w = 1.0;
     var code = user;
@@ -61,25 +61,25 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     if (block >= tf.vertex_blocks) {
         return;
     }
-    let draw = tp_records[tf.block_base + block * 2u];
-    let first = tp_records[tf.block_base + block * 2u + 1u];
+    let draw = tp_front_records[tf.block_base + block * 2u];
+    let first = tp_front_records[tf.block_base + block * 2u + 1u];
     let record = draw * TP_DRAW_RECORD_WORDS;
-    let count = tp_records[record + TP_DRAW_VERTEX_COUNT];
-    let base = tp_records[record + TP_DRAW_VERTEX_UNIFORMS];
-    let state = tf.state_base + tp_records[record + TP_DRAW_RASTER_STATE] * TP_STATE_WORDS;
-    let stride = tp_records[record + TP_DRAW_SHADED_STRIDE];
+    let count = tp_front_records[record + TP_DRAW_VERTEX_COUNT];
+    let base = tp_front_records[record + TP_DRAW_VERTEX_UNIFORMS];
+    let state = tf.state_base + tp_front_records[record + TP_DRAW_RASTER_STATE] * TP_STATE_WORDS;
+    let stride = tp_front_records[record + TP_DRAW_SHADED_STRIDE];
     var index = first + lane;
     loop {
         if (index < count) {
-            let vertex = tp_records[record + TP_DRAW_VERTEX_WORD] + index * tp_records[record + TP_DRAW_VERTEX_STRIDE];
-            let at = tp_records[record + TP_DRAW_SHADED_BASE] + index * stride;
+            let vertex = tp_front_records[record + TP_DRAW_VERTEX_WORD] + index * tp_front_records[record + TP_DRAW_VERTEX_STRIDE];
+            let at = tp_front_records[record + TP_DRAW_SHADED_BASE] + index * stride;
             var in: VertexIn;
             //#insert FETCH
             let out = vertex_main(in, base);
             tp_shaded[at] = out.position;
             var user = 0u;
             //#insert STORE
-            tp_to_screen(tp_records[record + TP_DRAW_SCREEN_BASE] + index, out.position, state, user);
+            tp_to_screen(tp_front_records[record + TP_DRAW_SCREEN_BASE] + index, out.position, state, user);
         }
         continuing {
             index += TP_LANES;

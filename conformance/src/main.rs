@@ -13,6 +13,7 @@ mod machine;
 mod oracle;
 mod order;
 mod precision;
+mod raster;
 mod recording;
 mod report;
 mod runner;
@@ -65,6 +66,8 @@ enum Command {
     Order(order::Options),
     /// Programs built on other people's libraries (PyOpenGL, GLU, GLFW), unmodified.
     Clients(clients::Options),
+    /// The rasterizer alone on the scenes S1 to S6, on a GPU.
+    Raster(raster::Options),
     /// Time from process start to the first frame.
     Start(start::Options),
     /// Stiff and extreme cases against an exact oracle; writes report/stiff.html and report/stiff.json.
@@ -79,6 +82,7 @@ fn main() -> ExitCode {
         Command::Bench(options) => bench::main(&options),
         Command::Order(options) => order::main(&options),
         Command::Clients(options) => clients::main(&options),
+        Command::Raster(options) => raster::main(&options),
         Command::Start(options) => start::main(&options),
         Command::Stiff(options) => stiff::main(&options),
         Command::Precision(options) => precision::main(&options),

@@ -8,6 +8,10 @@
 //! @group(0) @binding(0) var<storage, read> uniforms: array<vec4<f32>>;
 //! fn texture_sample(slot: u32, coord: vec4<f32>, ddx: vec4<f32>, ddy: vec4<f32>) -> vec4<f32>   // intrinsic
 //! fn product(a: vec4<f32>, b: f32) -> vec4<f32>   // intrinsic: a * b, which no compiler joins with a sum that follows
+//! fn products(a: vec4<f32>, b: vec4<f32>) -> vec4<f32>   // intrinsic: the same for component by component
+//! fn power(a: f32, b: f32) -> f32                 // intrinsic: pow, where a driver's own is too coarse for large exponents
+//! fn unit(v: vec3<f32>) -> vec3<f32>              // intrinsic: normalize, likewise
+//! fn inverse_root(a: f32) -> f32                  // intrinsic: inverseSqrt, likewise
 //! struct VertexIn { a0: vec4<f32>, a3: vec4<f32>, ... }             // the attributes it reads, by slot number
 //! struct VertexOut { position: vec4<f32>, o0: vec4<f32>, ... }      // `outputs`, in their order
 //! fn vertex_main(in: VertexIn, base: u32) -> VertexOut              // `base`: first vec4 of its uniform block
@@ -15,7 +19,7 @@
 //! struct FragmentOut { color: vec4<f32>, depth: f32, keep: bool }   // depth only if it writes depth, keep only if it discards
 //! fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut
 //! ```
-//! [`Program::wgsl`] is the text without the first three lines (whoever splices it provides them) and defines no other name at
+//! [`Program::wgsl`] is the text without the intrinsics (whoever splices it provides them) and defines no other name at
 //! module scope than those six.
 
 use std::sync::OnceLock;
@@ -127,6 +131,10 @@ pub struct Program {
 pub const PRELUDE: &str = "@group(0) @binding(0) var<storage, read> uniforms: array<vec4<f32>>;
 fn texture_sample(slot: u32, coord: vec4<f32>, ddx: vec4<f32>, ddy: vec4<f32>) -> vec4<f32> { return coord; }
 fn product(a: vec4<f32>, b: f32) -> vec4<f32> { return a * b; }
+fn products(a: vec4<f32>, b: vec4<f32>) -> vec4<f32> { return a * b; }
+fn power(a: f32, b: f32) -> f32 { return pow(a, b); }
+fn unit(v: vec3<f32>) -> vec3<f32> { return normalize(v); }
+fn inverse_root(a: f32) -> f32 { return inverseSqrt(a); }
 ";
 
 /// Everything of a program but what is computed from its text.

@@ -2,10 +2,12 @@
 
 use std::sync::OnceLock;
 
+use super::visible;
+
 /// How kernels are cut for a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Shape {
-    /// Lanes of the fine stage's workgroups: 64 (a pixel each) or 8 (a column of a tile each).
+    /// Lanes of the fine stage's workgroups: 64 (a pixel each), 32 (two pixels each) or 8 (a column of a tile each).
     pub fine_lanes: u32,
     /// Lanes of the other stages' workgroups.
     pub list_lanes: u32,
@@ -15,8 +17,28 @@ pub struct Shape {
     pub fma64: bool,
     /// The driver may fuse products with sums.
     pub fuses: bool,
+    /// There are integers and atomic minima of 64 bits, and storage buffers enough for the visible path.
+    pub keys64: bool,
     /// Vertices, clipping and set-up are done by the Rust twins on the host: where the "GPU" is the same processor, they are faster.
     pub host_front: bool,
+}
+
+impl Shape {
+    /// Loads of four words at a time in the fine stage.
+    pub fn vectors(self) -> bool {
+        self.fine_lanes >= 32
+    }
+}
+
+/// How an executor uses a device.
+#[derive(Clone, Copy, Debug)]
+pub struct Config {
+    /// Kernel shape.
+    pub shape: Shape,
+    /// Most bytes of a buffer that grows with a batch.
+    pub buffer_limit: u64,
+    /// Triangles from which on a segment is drawn by keys, where its state and the device allow it.
+    pub visible_from: u32,
 }
 
 /// An open device.
@@ -27,10 +49,8 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     /// What it is.
     pub info: wgpu::AdapterInfo,
-    /// Kernel shape.
-    pub shape: Shape,
-    /// Most bytes of a buffer that depends on a batch's size.
-    pub buffer_limit: u64,
+    /// What suits it.
+    pub config: Config,
 }
 
 /// True where a machine may have a GPU at all: looked for in /dev, before Vulkan is loaded (which takes 100 ms).
@@ -77,6 +97,8 @@ fn open() -> Result<Gpu, String> {
     let info = adapter.get_info();
     let wanted = wgpu::Features::SUBGROUP
         | wgpu::Features::SHADER_F64
+        | wgpu::Features::SHADER_INT64
+        | wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX
         | wgpu::Features::TIMESTAMP_QUERY
         | wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES;
     let features = adapter.features() & wanted;
@@ -94,16 +116,19 @@ fn open() -> Result<Gpu, String> {
     // Every GPU fuses; Mesa's software driver does not.
     let fma64 = cpu && features.contains(wgpu::Features::SHADER_F64);
     let fuses = !cpu;
+    let keys = wgpu::Features::SHADER_INT64 | wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX;
+    let keys64 = features.contains(keys) && device.limits().max_storage_buffers_per_shader_stage >= 12;
     let mut shape = if cpu {
         let subgroup8 = features.contains(wgpu::Features::SUBGROUP) && info.subgroup_min_size == 8 && info.subgroup_max_size == 8;
-        Shape { fine_lanes: 8, list_lanes: 8, subgroup8, fma64, fuses, host_front: cpu }
+        Shape { fine_lanes: 8, list_lanes: 8, subgroup8, fma64, fuses, keys64, host_front: cpu }
     } else {
-        Shape { fine_lanes: 64, list_lanes: 64, subgroup8: false, fma64, fuses, host_front: cpu }
+        Shape { fine_lanes: 64, list_lanes: 64, subgroup8: false, fma64, fuses, keys64, host_front: cpu }
     };
     // For tests of the other shapes on one machine.
     match std::env::var("TEPUI_GPU_SHAPE").as_deref() {
-        Ok("64") => shape = Shape { fine_lanes: 64, list_lanes: 64, subgroup8: false, fma64, fuses, host_front: cpu },
-        Ok("8") => shape = Shape { fine_lanes: 8, list_lanes: 8, subgroup8: false, fma64, fuses, host_front: cpu },
+        Ok("32") => shape = Shape { fine_lanes: 32, list_lanes: 64, subgroup8: false, ..shape },
+        Ok("64") => shape = Shape { fine_lanes: 64, list_lanes: 64, subgroup8: false, fma64, fuses, keys64, host_front: cpu },
+        Ok("8") => shape = Shape { fine_lanes: 8, list_lanes: 8, subgroup8: false, fma64, fuses, keys64, host_front: cpu },
         _ => {}
     }
     match std::env::var("TEPUI_GPU_FRONT").as_deref() {
@@ -113,7 +138,7 @@ fn open() -> Result<Gpu, String> {
     }
     let limit = std::env::var("TEPUI_GPU_BUFFER_LIMIT").ok().and_then(|v| v.parse().ok()).unwrap_or(BUFFER_LIMIT);
     let buffer_limit = limit.min(device.limits().max_storage_buffer_binding_size);
-    Ok(Gpu { device, queue, info, shape, buffer_limit })
+    Ok(Gpu { device, queue, info, config: Config { shape, buffer_limit, visible_from: visible::WORTH_IT } })
 }
 
 /// The process's device.

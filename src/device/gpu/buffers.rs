@@ -35,6 +35,11 @@ impl Growing {
         }
     }
 
+    /// What it is called.
+    pub fn label(&self) -> &'static str {
+        self.label
+    }
+
     /// The buffer.
     pub fn get(&self) -> &wgpu::Buffer {
         &self.buffer

@@ -14,6 +14,7 @@ use super::records::{DRAW_WORDS, pack_draw};
 use super::room::Room;
 use super::segment::{DrawNeeds, Segment, needs, served_flags};
 use super::texture::Heap;
+use super::visible;
 use crate::device::{DepthFormat, SurfaceFormat};
 use crate::draw::{Batch, Clear, Step};
 use crate::raster::layout::*;
@@ -31,8 +32,22 @@ pub enum Action {
     /// Cull, set up and clip the primitives of the segments that follow; its parameters, what the kernels contain (`stage::front`), and
     /// whether a primitive may leave the view volume at all.
     Front(FrontParams, u32),
-    /// Draw a segment.
+    /// Draw a segment by lists.
     Draw(Box<DrawAction>),
+    /// Draw a segment by keys.
+    Visible(Box<VisibleAction>),
+}
+
+/// A segment to draw by keys: see `shaders/visible.wgsl`.
+pub struct VisibleAction {
+    /// Parameters of the surface.
+    pub params: Params,
+    /// Parameters of its primitives.
+    pub front: FrontParams,
+    /// What shades it.
+    pub key: FineKey,
+    /// The draw that names its program.
+    pub draw: u32,
 }
 
 /// A segment to draw.
@@ -69,6 +84,8 @@ pub struct Plan {
     pub actions: Vec<(Place, Action)>,
     /// Words of masks that the largest segment needs.
     pub mask_words: u32,
+    /// Words of the visible path's queue that the largest segment needs.
+    pub queue_words: u32,
 }
 
 impl Plan {
@@ -89,6 +106,16 @@ impl Plan {
         self.mask_words = self.mask_words.max(bins * blocks);
         let draw = segment.draw;
         self.push(place, Action::Draw(Box::new(DrawAction { params, key: segment.finish(), draw, triangles, blocks })));
+    }
+
+    fn visible(&mut self, run: Run, mut params: Params, room: &Room) {
+        params.action = self.actions.len() as u32;
+        let front = FrontParams { top_first: params.top_first, zero: params.zero, ..FrontParams::default() };
+        let (front, words) = visible::params(room, run.primitives.clone(), front);
+        self.queue_words = self.queue_words.max(words);
+        let draw = run.segment.draw;
+        let place = Place { step: run.step, primitive: run.primitives.start };
+        self.push(place, Action::Visible(Box::new(VisibleAction { params, front, key: run.segment.finish(), draw })));
     }
 }
 
@@ -134,6 +161,8 @@ pub struct Planner<'a> {
     pub shape: Shape,
     /// What fits.
     pub room: &'a Room,
+    /// Triangles from which on a segment is drawn by keys where it may.
+    pub visible_from: u32,
 }
 
 impl Planner<'_> {
@@ -215,87 +244,149 @@ impl Planner<'_> {
         plan
     }
 
-    /// The plan of a batch that kernels set up, and the slices' tables, which go behind `table_base` words of the front end's records.
-    pub fn kernels(&self, heap: &Heap, table_base: u32) -> (Plan, Vec<u32>) {
-        let (batch, format, base) = (self.batch, self.format, self.base());
-        let mut plan = Plan { records: self.records(heap), ..Plan::default() };
-        let mut tables = Vec::new();
-        let bins = base.bins[0] * base.bins[1];
-        let most = self.room.most_blocks(bins) * 32;
-        let mut slice: Option<(usize, Slice)> = None;
-        let mut next_draw = 0;
-        for (k, step) in batch.steps.iter().enumerate() {
-            let (first, end) = match *step {
+    /// The batch's clears, and its primitives as runs that one fine kernel can serve.
+    fn pieces(&self) -> Vec<Piece> {
+        let (batch, base) = (self.batch, self.base());
+        let mut pieces = Vec::new();
+        let mut draw = 0;
+        for (step, what) in batch.steps.iter().enumerate() {
+            let (first, end) = match *what {
                 Step::Primitives { first, end } => (first, end),
                 Step::Clear(ref clear) => {
-                    let place = Place { step: k, primitive: 0 };
-                    plan.actions.extend(clear_params(clear, base, format).map(|p| (place, Action::Clear(p))));
+                    pieces.extend(clear_params(clear, base, self.format).map(|params| Piece::Clear(step, params)));
                     continue;
                 }
             };
-            // The open segment, its first primitive, and an estimate of its triangles.
-            let mut open: Option<(Segment, u32, u32)> = None;
-            let mut at = first;
-            while next_draw < batch.draws.len() && batch.draw_primitives(next_draw).end <= at {
-                next_draw += 1;
+            let mut open: Option<Run> = None;
+            while draw < batch.draws.len() && batch.draw_primitives(draw).end <= first {
+                draw += 1;
             }
-            while at < end {
-                let range = batch.draw_primitives(next_draw);
-                let range = at..range.end.min(end);
-                if range.is_empty() {
-                    next_draw += 1;
-                    continue;
+            while draw < batch.draws.len() && batch.draw_primitives(draw).start < end {
+                let range = batch.draw_primitives(draw);
+                let primitives = range.start.max(first)..range.end.min(end);
+                let needs = needs(batch, draw, self.format);
+                let filled = visible::is_filled(batch, draw);
+                if !open.as_mut().is_some_and(|run| run.filled == filled && run.segment.admit(&needs, batch, draw as u32)) {
+                    pieces.extend(open.take().map(Piece::Run));
+                    let segment = Segment::new(&needs, self.format, draw as u32);
+                    open = Some(Run { step, first_draw: draw, segment, primitives: primitives.clone(), filled });
                 }
-                let (place, draw) = (Place { step: k, primitive: at }, next_draw as u32);
-                let needs = needs(batch, next_draw, format);
-                let (_, current) = slice.get_or_insert_with(|| {
-                    // Its parameters are known when it is full.
-                    plan.push(place, Action::Front(FrontParams::default(), 0));
-                    (plan.actions.len() - 1, Slice::new(self.shape, plan.segments.len() as u32 / SEGMENT_WORDS))
-                });
-                let weight = current.weight(batch, next_draw);
-                if !open.as_mut().is_some_and(|(segment, _, triangles)| *triangles + weight <= most && segment.admit(&needs, batch, draw)) {
-                    if let Some((segment, first, triangles)) = open.take() {
-                        self.close(&mut plan, current, Place { step: k, primitive: first }, segment, first..at, triangles);
-                    }
-                    open = Some((Segment::new(&needs, format, draw), at, 0));
+                if let Some(run) = &mut open {
+                    run.primitives.end = primitives.end;
                 }
-                let Some((segment, segment_first, triangles)) = &mut open else { continue };
-                segment.key.features |= feature::PERSPECTIVE;
-                let fits = ((most - *triangles) / weight).min(current.fits(self.room, batch, next_draw)).min(range.end - at);
-                *triangles += fits * weight;
-                current.add(batch, next_draw, fits);
-                at += fits;
-                if at < range.end && current.fits(self.room, batch, next_draw) == 0 {
-                    // The slice is full.
-                    let (first, triangles) = (*segment_first, *triangles);
-                    if let (Some((segment, ..)), Some((front, mut full))) = (open.take(), slice.take()) {
-                        if at > first {
-                            self.close(&mut plan, &mut full, Place { step: k, primitive: first }, segment, first..at, triangles);
-                        }
-                        let params = full.finish(self.room, base, &mut tables, table_base, front as u32);
-                        plan.actions[front].1 = Action::Front(params, full.features);
-                    }
+                if range.end > end {
+                    break;
                 }
+                draw += 1;
             }
-            if let (Some((segment, first, triangles)), Some((_, current))) = (open, &mut slice) {
-                self.close(&mut plan, current, Place { step: k, primitive: first }, segment, first..end, triangles);
-            }
+            pieces.extend(open.take().map(Piece::Run));
         }
-        if let Some((front, mut last)) = slice {
-            let params = last.finish(self.room, base, &mut tables, table_base, front as u32);
-            plan.actions[front].1 = Action::Front(params, last.features);
-        }
-        (plan, tables)
+        pieces
     }
 
-    /// Ends a segment of a slice.
-    fn close(&self, plan: &mut Plan, slice: &mut Slice, place: Place, segment: Segment, primitives: std::ops::Range<u32>, triangles: u32) {
+    /// The plan of a batch that kernels set up, and the slices' tables, which go behind `table_base` words of the front end's records.
+    pub fn kernels(&self, heap: &Heap, table_base: u32) -> (Plan, Vec<u32>) {
         let base = self.base();
+        let mut plan = Plan { records: self.records(heap), ..Plan::default() };
+        let mut slices = Slices { planner: self, open: None, tables: Vec::new(), table_base };
+        for piece in self.pieces() {
+            match piece {
+                Piece::Clear(step, params) => plan.push(Place { step, primitive: 0 }, Action::Clear(params)),
+                Piece::Run(mut run) => {
+                    // Whether a triangle needs the division by w is not known here.
+                    run.segment.key.features |= feature::PERSPECTIVE;
+                    let program = &self.batch.draws[run.segment.draw as usize].fragment_program;
+                    let many = run.primitives.len() as u32 >= self.visible_from;
+                    if self.shape.keys64 && many && run.filled && visible::serves(&run.segment.key, program) {
+                        plan.visible(run, base, self.room);
+                    } else {
+                        slices.add(&mut plan, run);
+                    }
+                }
+            }
+        }
+        slices.close(&mut plan);
+        (plan, slices.tables)
+    }
+}
+
+/// A part of a batch.
+enum Piece {
+    /// A clear in a step.
+    Clear(usize, Params),
+    /// Primitives.
+    Run(Run),
+}
+
+/// Primitives of a step that one fine kernel can serve.
+struct Run {
+    step: usize,
+    first_draw: usize,
+    segment: Segment,
+    primitives: std::ops::Range<u32>,
+    /// All of them are filled triangles.
+    filled: bool,
+}
+
+/// Cuts runs into slices that fit the buffers, and slices into segments that fit the lists.
+struct Slices<'a> {
+    planner: &'a Planner<'a>,
+    /// The action of the open slice, and the slice.
+    open: Option<(usize, Slice)>,
+    tables: Vec<u32>,
+    table_base: u32,
+}
+
+impl Slices<'_> {
+    fn add(&mut self, plan: &mut Plan, run: Run) {
+        let Planner { batch, room, .. } = *self.planner;
+        let base = self.planner.base();
         let bins = base.bins[0] * base.bins[1];
-        let blocks = self.room.segment_blocks(triangles, bins);
-        slice.segment(primitives, blocks);
-        plan.draw(place, segment, base, None, blocks, self.room.lists(triangles, bins));
+        let most = room.segment_triangles(bins);
+        let (mut at, mut draw) = (run.primitives.start, run.first_draw);
+        while at < run.primitives.end {
+            // A segment: as much of the run as the lists and the slice take.
+            let place = Place { step: run.step, primitive: at };
+            let (_, slice) = self.open.get_or_insert_with(|| {
+                // Its parameters are known when it is full.
+                plan.push(place, Action::Front(FrontParams::default(), 0));
+                (plan.actions.len() - 1, Slice::new(self.planner.shape, plan.segments.len() as u32 / SEGMENT_WORDS))
+            });
+            let (first, mut triangles) = (at, 0);
+            while at < run.primitives.end {
+                let end = batch.draw_primitives(draw).end.min(run.primitives.end);
+                if end <= at {
+                    draw += 1;
+                    continue;
+                }
+                let weight = slice.weight(batch, draw);
+                // A segment takes at least one primitive, whatever it weighs.
+                let left = if at == first { ((most - triangles) / weight).max(1) } else { (most - triangles) / weight };
+                let fits = left.min(slice.fits(room, batch, draw)).min(end - at);
+                if fits == 0 {
+                    break;
+                }
+                slice.add(batch, draw, fits);
+                triangles = (triangles + fits * weight).min(most);
+                at += fits;
+            }
+            let full = at < run.primitives.end && slice.fits(room, batch, draw) == 0;
+            if at > first {
+                let blocks = room.segment_blocks(triangles, bins);
+                slice.segment(first..at, blocks);
+                plan.draw(place, run.segment.clone(), base, None, blocks, room.lists(triangles, bins));
+            }
+            if full {
+                self.close(plan);
+            }
+        }
+    }
+
+    fn close(&mut self, plan: &mut Plan) {
+        if let Some((action, slice)) = self.open.take() {
+            let params = slice.finish(self.planner.room, self.planner.base(), &mut self.tables, self.table_base, action as u32);
+            plan.actions[action].1 = Action::Front(params, slice.features);
+        }
     }
 }
 
@@ -310,6 +401,7 @@ pub fn place_lists(action: &mut DrawAction, mask_capacity: u32) -> u32 {
     params.work_base = params.active_base + bins;
     params.list_base = params.work_base + bins * 64;
     params.tile_base = params.list_base + params.list_blocks * 32;
-    params.entry_base = params.tile_base + params.list_blocks * 64;
+    // The fine stage loads entries four words at a time.
+    params.entry_base = (params.tile_base + params.list_blocks * 64).next_multiple_of(4);
     params.entry_base + params.list_blocks * 32 * ENTRY_WORDS
 }

@@ -6,23 +6,33 @@ use bytemuck::{bytes_of, cast_slice};
 
 use super::adapter::Gpu;
 use super::buffers::{Growing, create};
-use super::encode::{Action, DrawAction, Place, Plan, Planner, place_lists};
+use super::encode::{Action, DrawAction, Place, Plan, Planner, VisibleAction, place_lists};
 use super::fill::Fill;
 use super::front::FrontRecords;
 use super::host_front::HostFront;
 use super::kernels::Kernels;
-use super::params::{FrontParams, Params, SEGMENT_WORDS, Status, indirect};
-use super::profile::Profile;
+use super::params::{FEW_TRIANGLES, FrontParams, Params, SEGMENT_WORDS, Status, indirect};
+use super::profile::{Profile, StageTime};
 use super::room::Room;
-use super::stage::Stage;
+use super::stage::{CLEAR_ROWS, Stage, VISIBLE_LANES, Visible};
 use super::surface::stats_level;
 use super::texture::Heap;
+use super::visible;
 use crate::device::{Pixels, SurfaceFormat};
 use crate::draw::{Batch, Step};
 use crate::raster::layout::{BIN_SIZE, raster_flags};
 
 /// Distance of two dispatches' parameters, a multiple of every device's alignment.
-const PARAMS_STRIDE: usize = 256;
+const PARAMS_STRIDE: usize = 512;
+/// Where in them a second block lies.
+const SECOND_PARAMS: usize = 256;
+
+/// Workgroups of the visible path's clip kernel and of its kernel for large triangles: enough to fill the largest GPUs.
+const CLIP_GROUPS: u32 = 256;
+const LARGE_GROUPS: u32 = 4096;
+
+/// How long a measurement draws before it counts.
+const WARM_UP: std::time::Duration = std::time::Duration::from_millis(300);
 
 /// The buffers that a batch is uploaded to and worked on in.
 pub struct Buffers {
@@ -43,6 +53,9 @@ pub struct Buffers {
     lists: Growing,
     params: Growing,
     indirect: Growing,
+    /// The visible path's keys, made when they are first wanted, and its queue.
+    keys: Option<wgpu::Buffer>,
+    queue: Growing,
     status: wgpu::Buffer,
     /// Words of the list buffer that belong to masks: zero between segments.
     mask_capacity: u32,
@@ -72,6 +85,8 @@ impl Buffers {
             lists: growing("lists"),
             params: Growing::new(device, "params", wgpu::BufferUsages::UNIFORM),
             indirect: Growing::new(device, "dispatches", indirect),
+            keys: None,
+            queue: growing("queue"),
             status: create(device, "status", wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST, size_of::<Status>() as u64),
             mask_capacity: 0,
         }
@@ -83,6 +98,7 @@ struct Bound {
     generation: u64,
     front: wgpu::BindGroup,
     stages: wgpu::BindGroup,
+    visible: Option<wgpu::BindGroup>,
     indirect: wgpu::BindGroup,
 }
 
@@ -113,6 +129,8 @@ struct Prepared {
     plan: Plan,
     /// For each vertex program: a draw that runs it, and blocks of vertices.
     programs: Vec<(usize, u32)>,
+    /// The host has set it up.
+    on_host: bool,
 }
 
 impl Executor {
@@ -121,11 +139,11 @@ impl Executor {
         let device = &gpu.device;
         Executor {
             gpu,
-            kernels,
             buffers,
             size,
             format,
-            room: Room::new(gpu.buffer_limit),
+            room: Room::new(kernels.config.buffer_limit),
+            kernels,
             heap: Heap::new(device),
             fills: [Fill::new(device), Fill::new(device)],
             host_front: HostFront::default(),
@@ -191,19 +209,21 @@ impl Executor {
             &b.lists,
             &b.params,
             &b.indirect,
+            &b.queue,
         ];
         // Generations only grow, so their sum says whether any did.
-        let generation = growing.iter().map(|g| g.generation as u64).sum::<u64>() + self.heap.generation() as u64;
+        let more = self.heap.generation() as u64 + b.keys.is_some() as u64;
+        let generation = growing.iter().map(|g| g.generation as u64).sum::<u64>() + more;
         if self.bound.as_ref().is_some_and(|g| g.generation == generation) {
             return;
         }
         let device = &self.gpu.device;
-        let group = |layout: &wgpu::BindGroupLayout, storage: &[&wgpu::Buffer], params: Option<u64>| {
+        let group = |layout: &wgpu::BindGroupLayout, storage: &[&wgpu::Buffer], params: &[u64]| {
             let mut entries: Vec<_> =
                 storage.iter().enumerate().map(|(k, b)| wgpu::BindGroupEntry { binding: k as u32, resource: b.as_entire_binding() }).collect();
-            if let Some(size) = params {
+            for &size in params {
                 let buffer = wgpu::BufferBinding { buffer: b.params.get(), offset: 0, size: wgpu::BufferSize::new(size) };
-                entries.push(wgpu::BindGroupEntry { binding: storage.len() as u32, resource: wgpu::BindingResource::Buffer(buffer) });
+                entries.push(wgpu::BindGroupEntry { binding: entries.len() as u32, resource: wgpu::BindingResource::Buffer(buffer) });
             }
             device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
         };
@@ -211,43 +231,57 @@ impl Executor {
         let [uniforms, records, triangles, planes, lists, segments] =
             [&b.uniforms, &b.records, &b.triangles, &b.planes, &b.lists, &b.front].map(|g| g.get());
         let stages = [uniforms, records, triangles, planes, lists, &b.color, &b.depth, self.heap.buffer(), segments];
+        let sizes = [size_of::<Params>() as u64, size_of::<FrontParams>() as u64];
+        let visible = b.keys.as_ref().map(|keys| {
+            let [primitives, front_records, shaded, screen, queue] =
+                [&b.primitives, &b.front_records, &b.shaded, &b.screen, &b.queue].map(|g| g.get());
+            let texels = self.heap.buffer();
+            let all = [uniforms, primitives, front_records, shaded, screen, records, &b.color, &b.depth, texels, keys, queue];
+            group(&self.kernels.visible_layout, &all, &sizes)
+        });
         self.bound = Some(Bound {
             generation,
-            front: group(&self.kernels.front_layout, &front.map(|g| g.get()), Some(size_of::<FrontParams>() as u64)),
-            stages: group(&self.kernels.layout, &stages, Some(size_of::<Params>() as u64)),
-            indirect: group(&self.kernels.indirect_layout, &[b.indirect.get()], None),
+            visible,
+            front: group(&self.kernels.front_layout, &front.map(|g| g.get()), &sizes[1..]),
+            stages: group(&self.kernels.layout, &stages, &sizes[..1]),
+            indirect: group(&self.kernels.indirect_layout, &[b.indirect.get()], &[]),
         });
     }
 
     /// Sets a batch up on the host and uploads the triangles.
     fn prepare_host(&mut self, batch: &Batch) -> Prepared {
-        let Gpu { device, queue, shape, .. } = self.gpu;
+        let Gpu { device, queue, .. } = self.gpu;
         self.host_front.run(batch, self.format.top_first);
-        let planner = Planner { batch, size: self.size, format: self.format, shape: *shape, room: &self.room };
+        let planner = Planner { batch, size: self.size, format: self.format, shape: self.kernels.config.shape, room: &self.room, visible_from: self.kernels.config.visible_from };
         let plan = planner.host(&self.host_front, &self.heap);
         let b = &mut self.buffers;
         b.triangles.upload(device, queue, cast_slice(&self.host_front.triangles));
         b.planes.upload(device, queue, cast_slice(&self.host_front.planes));
         b.front.upload(device, queue, cast_slice(&plan.segments));
-        self.upload_params(plan, &[])
+        self.upload_params(plan, &[], true)
     }
 
     /// Uploads what the kernels of the front end read.
     fn prepare_kernels(&mut self, batch: &Batch) -> Prepared {
-        let Gpu { device, queue, shape, .. } = self.gpu;
+        let Gpu { device, queue, .. } = self.gpu;
         let mut records = FrontRecords::new(batch);
-        let planner = Planner { batch, size: self.size, format: self.format, shape: *shape, room: &self.room };
+        let planner = Planner { batch, size: self.size, format: self.format, shape: self.kernels.config.shape, room: &self.room, visible_from: self.kernels.config.visible_from };
         let (mut plan, tables) = planner.kernels(&self.heap, records.words.len() as u32);
         records.words.extend_from_slice(&tables);
         let segments = (plan.segments.len() as u32).next_multiple_of(4);
         let [mut front_words, mut triangles, mut planes, mut pool] = [segments as u64 + 4, 0, 0, 0];
         for (_, action) in &mut plan.actions {
+            if let Action::Visible(action) = action {
+                action.front.pool_base = batch.shaded_vec4;
+                action.front.state_base = records.state_base;
+                pool = pool.max(action.front.pool_capacity as u64);
+            }
             if let Action::Front(params, _) = action {
                 params.sums_base = segments;
                 params.queue_base += segments;
                 params.pool_base = batch.shaded_vec4;
                 params.state_base = records.state_base;
-                params.list_lanes = shape.list_lanes;
+                params.list_lanes = self.kernels.config.shape.list_lanes;
                 front_words = front_words.max(params.queue_base as u64 + 4 + params.queue_capacity as u64 * 4);
                 triangles = triangles.max(params.triangle_capacity as u64);
                 planes = planes.max(params.plane_capacity as u64);
@@ -263,6 +297,10 @@ impl Executor {
         b.triangles.reserve(device, triangles * size_of::<crate::raster::layout::Triangle>() as u64);
         b.planes.reserve(device, planes * 16);
         b.front.reserve(device, front_words * 4);
+        b.queue.reserve(device, plan.queue_words as u64 * 4);
+        if plan.queue_words > 0 && b.keys.is_none() {
+            b.keys = Some(keys(self.gpu, self.size));
+        }
         let programs: Vec<_> = (records.programs.iter())
             .map(|&(draw, block_base, vertex_blocks)| {
                 let params = FrontParams {
@@ -276,11 +314,11 @@ impl Executor {
                 (draw, params)
             })
             .collect();
-        self.upload_params(plan, &programs)
+        self.upload_params(plan, &programs, false)
     }
 
     /// Places lists and parameters and uploads what is left.
-    fn upload_params(&mut self, mut plan: Plan, programs: &[(usize, FrontParams)]) -> Prepared {
+    fn upload_params(&mut self, mut plan: Plan, programs: &[(usize, FrontParams)], on_host: bool) -> Prepared {
         let Gpu { device, queue, .. } = self.gpu;
         let b = &mut self.buffers;
         let most = plan.mask_words.max(b.mask_capacity);
@@ -303,60 +341,113 @@ impl Executor {
         b.indirect.reserve(device, (indirect::SEGMENTS as u64 + segments * 8) * 4);
         let mut bytes = vec![0u8; (programs.len() + plan.actions.len()) * PARAMS_STRIDE];
         let actions = plan.actions.iter().map(|(_, action)| match action {
-            Action::Clear(params) => bytes_of(params),
-            Action::Draw(draw) => bytes_of(&draw.params),
-            Action::Front(params, _) => bytes_of(params),
+            Action::Clear(params) => [bytes_of(params), &[]],
+            Action::Draw(draw) => [bytes_of(&draw.params), &[]],
+            Action::Front(params, _) => [bytes_of(params), &[]],
+            Action::Visible(visible) => [bytes_of(&visible.params), bytes_of(&visible.front)],
         });
-        for (words, to) in programs.iter().map(|p| bytes_of(&p.1)).chain(actions).zip(bytes.chunks_mut(PARAMS_STRIDE)) {
-            to[..words.len()].copy_from_slice(words);
+        for (words, to) in programs.iter().map(|p| [bytes_of(&p.1), &[]]).chain(actions).zip(bytes.chunks_mut(PARAMS_STRIDE)) {
+            to[..words[0].len()].copy_from_slice(words[0]);
+            to[SECOND_PARAMS..][..words[1].len()].copy_from_slice(words[1]);
         }
         b.params.upload(device, queue, &bytes);
-        Prepared { plan, programs: programs.iter().map(|(draw, params)| (*draw, params.vertex_blocks)).collect() }
+        Prepared { plan, programs: programs.iter().map(|(draw, params)| (*draw, params.vertex_blocks)).collect(), on_host }
     }
 
-    fn run(&mut self, batch: Batch) {
-        let Gpu { device, queue, shape, .. } = self.gpu;
-        let t0 = std::time::Instant::now();
+    /// Uploads a batch and decides what to dispatch.
+    fn prepare(&mut self, batch: &Batch) -> Prepared {
+        let Gpu { device, queue, .. } = self.gpu;
         self.heap.prepare(device, queue, &batch.textures);
         self.buffers.uniforms.upload(device, queue, cast_slice(&batch.uniforms));
         // The stipple counter runs from line to line, which the kernels' front end cannot follow.
-        let on_host = shape.host_front || batch.raster_states.iter().any(|s| s.flags & raster_flags::LINE_STIPPLE != 0);
-        let prepared = if on_host { self.prepare_host(&batch) } else { self.prepare_kernels(&batch) };
+        let stippled = batch.raster_states.iter().any(|s| s.flags & raster_flags::LINE_STIPPLE != 0);
+        let prepared = if self.kernels.config.shape.host_front || stippled { self.prepare_host(batch) } else { self.prepare_kernels(batch) };
         self.bind();
-        let Some(bound) = &self.bound else { return };
-        let mut profile = Profile::new(self.gpu);
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        prepared
+    }
+
+    /// Writes a prepared batch's commands.
+    fn encode(&mut self, batch: &Batch, prepared: &Prepared, profile: &mut Option<Profile>) -> wgpu::CommandEncoder {
+        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let Some(bound) = &self.bound else { return encoder };
         let b = &self.buffers;
-        encoder.clear_buffer(b.indirect.get(), indirect::FAILED as u64 * 4, Some(size_of::<Status>() as u64));
+        let status = size_of::<Status>() as u64;
+        encoder.clear_buffer(b.indirect.get(), indirect::FAILED as u64 * 4, Some(status));
         let mut first_action = 0;
-        if let (Some((_, Action::Clear(p))), true) = (prepared.plan.actions.first(), shape.list_lanes < 64) {
+        if let (Some((_, Action::Clear(p))), true) = (prepared.plan.actions.first(), self.kernels.config.shape.list_lanes < 64) {
             first_action = clear_by_copy(&mut self.fills, self.gpu, &mut encoder, p, self.format, [&b.color, &b.depth]) as usize;
         }
         {
             let pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-            let mut dispatcher = Dispatcher { gpu: self.gpu, kernels: &self.kernels, bound, indirect: b.indirect.get(), pass, profile: &mut profile };
+            let mut dispatcher = Dispatcher { gpu: self.gpu, kernels: &self.kernels, bound, indirect: b.indirect.get(), pass, profile };
             dispatcher.mark("start");
-            dispatcher.actions(&batch, &prepared, first_action, self.format);
+            dispatcher.actions(batch, prepared, first_action, self.format);
+            dispatcher.mark("end");
         }
-        encoder.copy_buffer_to_buffer(b.indirect.get(), indirect::FAILED as u64 * 4, &b.status, 0, size_of::<Status>() as u64);
+        encoder.copy_buffer_to_buffer(b.indirect.get(), indirect::FAILED as u64 * 4, &b.status, 0, status);
+        encoder
+    }
+
+    fn run(&mut self, batch: Batch) {
+        let start = std::time::Instant::now();
+        let prepared = self.prepare(&batch);
+        let mut profile = if stats_level() < 2 { None } else { Profile::new(self.gpu, true) };
+        let encoder = self.encode(&batch, &prepared, &mut profile);
         match profile {
-            Some(profile) => profile.print(self.gpu, encoder),
+            Some(profile) => {
+                let times: Vec<String> = profile.finish(self.gpu, encoder).iter().map(|t| format!("{} {:.3}", t.name, t.ms)).collect();
+                eprintln!("tepui: gpu: ms: {}", times.join(", "));
+            }
             None => {
-                queue.submit([encoder.finish()]);
+                self.gpu.queue.submit([encoder.finish()]);
             }
         }
         if stats_level() > 0 {
-            self.print_stats(&batch, &prepared.plan, on_host, t0.elapsed());
+            self.print_stats(&batch, &prepared, start.elapsed());
         }
-        if !on_host {
+        if !prepared.on_host {
             let places = prepared.plan.actions.iter().map(|a| a.0).collect();
             self.pending = Some(Pending { batch, places });
         }
     }
 
-    fn print_stats(&self, batch: &Batch, plan: &Plan, on_host: bool, time: std::time::Duration) {
+    /// Draws a batch `frames` times, uploaded once, and returns the times of its stages on the device, frame by frame; only one time
+    /// named "end", for all of them, where `stages` is false. Empty where the device has no time stamps.
+    pub fn timed(&mut self, batch: &Batch, frames: usize, stages: bool) -> Vec<Vec<StageTime>> {
+        // Once as always: buffers find their sizes, pipelines are built.
+        self.execute(batch.clone());
+        self.settle();
+        let prepared = self.prepare(batch);
+        let mut times = Vec::new();
+        // A GPU that idled clocks up first.
+        let start = std::time::Instant::now();
+        while start.elapsed() < WARM_UP {
+            let mut profile = Profile::new(self.gpu, false);
+            let encoder = self.encode(batch, &prepared, &mut profile);
+            let Some(profile) = profile else { return times };
+            profile.finish(self.gpu, encoder);
+        }
+        for _ in 0..frames {
+            let mut profile = Profile::new(self.gpu, stages);
+            let encoder = self.encode(batch, &prepared, &mut profile);
+            let Some(profile) = profile else { break };
+            times.push(profile.finish(self.gpu, encoder));
+        }
+        times
+    }
+
+    /// Bytes of the buffers that grow with a batch, by name.
+    pub fn memory(&self) -> Vec<(&'static str, u64)> {
+        let b = &self.buffers;
+        let growing = [&b.uniforms, &b.vertices, &b.primitives, &b.front_records, &b.records, &b.shaded, &b.screen, &b.triangles, &b.planes];
+        let growing = growing.into_iter().chain([&b.front, &b.lists, &b.params, &b.indirect, &b.queue]).map(|g| (g.label(), g.get().size()));
+        growing.chain(b.keys.as_ref().map(|keys| ("keys", keys.size()))).collect()
+    }
+
+    fn print_stats(&self, batch: &Batch, prepared: &Prepared, time: std::time::Duration) {
+        let plan = &prepared.plan;
         let count = |which: fn(&Action) -> bool| plan.actions.iter().filter(|a| which(&a.1)).count();
-        let front = if on_host {
+        let front = if prepared.on_host {
             format!("{} triangles set up by the host", self.host_front.triangles.len())
         } else {
             format!("{} slices set up by kernels", count(|a| matches!(a, Action::Front(..))))
@@ -370,6 +461,14 @@ impl Executor {
             time.as_secs_f64() * 1e3,
         );
     }
+}
+
+/// The visible path's keys: all ones.
+fn keys(gpu: &Gpu, size: [u32; 2]) -> wgpu::Buffer {
+    let bytes = size[0] as usize * size[1] as usize * 8;
+    let buffer = create(&gpu.device, "keys", wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST, bytes as u64);
+    gpu.queue.write_buffer(&buffer, 0, &vec![0xff; bytes]);
+    buffer
 }
 
 /// The steps from a place on.
@@ -435,8 +534,9 @@ impl Dispatcher<'_> {
                     self.pass.set_bind_group(0, &self.bound.stages, &[offset]);
                     self.stage(Stage::Clear(format.color.words() as u32));
                     let columns = (p.clear_max[0] - p.clear_min[0]) as u32;
-                    let columns = columns.div_ceil(self.gpu.shape.list_lanes);
-                    self.pass.dispatch_workgroups(columns, (p.clear_max[1] - p.clear_min[1]) as u32, 1);
+                    let columns = columns.div_ceil(self.kernels.config.shape.list_lanes);
+                    let rows = (p.clear_max[1] - p.clear_min[1]) as u32;
+                    self.pass.dispatch_workgroups(columns, rows.div_ceil(CLEAR_ROWS), 1);
                     self.mark("clear");
                 }
                 Action::Front(p, features) => {
@@ -454,14 +554,36 @@ impl Dispatcher<'_> {
                     self.pass.set_bind_group(0, &self.bound.stages, &[offset]);
                     self.draw(batch, draw);
                 }
+                Action::Visible(action) => {
+                    self.pass.set_bind_group(0, self.bound.visible.as_ref(), &[offset, offset + SECOND_PARAMS as u32]);
+                    self.visible(batch, action);
+                }
             }
         }
+    }
+
+    fn visible(&mut self, batch: &Batch, action: &VisibleAction) {
+        let p = &action.params;
+        let (lequal, bits) = (visible::is_lequal(&action.key), action.key.depth_bits);
+        let stage = |which| Stage::Visible(which, lequal, bits);
+        self.stage(stage(Visible::Small));
+        self.direct(action.front.primitive_count.div_ceil(VISIBLE_LANES), "small");
+        // Rounds over queues whose length the host does not know.
+        self.stage(stage(Visible::Clip));
+        self.direct(CLIP_GROUPS, "clip");
+        self.stage(stage(Visible::Large));
+        self.direct(LARGE_GROUPS, "large");
+        self.stage(stage(Visible::End));
+        self.direct(1, "end of keys");
+        self.pass.set_pipeline(&self.kernels.resolve(self.gpu, &action.key, &batch.draws[action.draw as usize].fragment_program));
+        let tiles = p.size[0].div_ceil(8) * p.size[1].div_ceil(8);
+        self.direct(tiles.div_ceil(visible::RESOLVE_LANES / 64), "resolve");
     }
 
     fn draw(&mut self, batch: &Batch, action: &DrawAction) {
         let p = &action.params;
         let bins = p.bins[0] * p.bins[1];
-        let lanes = self.gpu.shape.list_lanes;
+        let lanes = self.kernels.config.shape.list_lanes;
         let dispatch = indirect::SEGMENTS + p.segment * 8;
         // Count and emit: a lane for each bin and super block.
         let supers = |s: &mut Self, name| match action.triangles {
@@ -470,7 +592,7 @@ impl Dispatcher<'_> {
         };
         self.stage(Stage::Bin);
         match action.triangles {
-            Some(n) => self.direct(n.div_ceil(lanes), "bin"),
+            Some(n) => self.direct((n * if n < FEW_TRIANGLES { p.bins[1] } else { 1 }).div_ceil(lanes), "bin"),
             None => self.indirect(dispatch, "bin"),
         }
         self.stage(Stage::Count);

@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use super::adapter::Shape;
-use super::glue::glue;
+use super::glue::{Planes, glue};
+use super::stage::arithmetic_flags;
 use super::source::{Options, expand, files};
 use super::texture::{self, TextureClass};
 use crate::device::ColorFormat;
@@ -67,6 +68,32 @@ pub struct FineKey {
 impl FineKey {
     /// The text of a fine kernel.
     pub fn source(&self, shape: Shape, program: &Program, constants: &str) -> String {
+        let (options, extra) = self.options(shape, program, Planes::Loaded);
+        let mut source = format!("const TP_LANES = {}u;\n{extra}{constants}", shape.fine_lanes);
+        for file in [files::COMMON, files::ARITHMETIC] {
+            expand(file, &options, &mut source);
+        }
+        self.shading(&options, program, &mut source);
+        expand(files::FINE, &options, &mut source);
+        source
+    }
+
+    /// Appends the per-fragment operations and the program.
+    pub fn shading(&self, options: &Options, program: &Program, source: &mut String) {
+        for file in [files::COLOR, files::FRAGMENT_OPS, files::BLEND] {
+            expand(file, options, source);
+        }
+        if self.features & feature::SHADES != 0 {
+            if !self.textures.is_empty() {
+                texture::splice(&self.textures, options, source);
+            }
+            source.push_str(&program.wgsl);
+            source.push('\n');
+        }
+    }
+
+    /// Flags, texts to insert, and constants.
+    pub fn options(&self, shape: Shape, program: &Program, planes: Planes) -> (Options, String) {
         let mut options = Options::default();
         let on = |bit: u32| self.features & bit != 0;
         for (name, bit) in [
@@ -98,7 +125,8 @@ impl FineKey {
             let _ = writeln!(extra, "const TP_DEPTH_FUNC = {func}u;");
         }
         options.flag("SUBGROUP8", shape.subgroup8);
-        options.flag("FMA64", shape.fma64);
+        options.flag("VECTORS", planes == Planes::Loaded && shape.vectors());
+        arithmetic_flags(&mut options, shape);
         options.flag(
             match self.color {
                 ColorFormat::Rgba8 => "COLOR_RGBA8",
@@ -133,23 +161,11 @@ impl FineKey {
                 let _ = writeln!(extra, "const TP_BLEND_EQUATIONS = vec2<u32>({}u, {}u);", e[0], e[1]);
             }
         }
-        let glue = glue(program, self, shape);
+        let glue = glue(program, self, shape, planes);
         options.inserts.insert("TEXTURES", texture::loads(&self.textures));
         options.inserts.insert("PLANES", glue.planes);
         options.inserts.insert("DEPTH", glue.depth);
         options.inserts.insert("SHADE", glue.shade);
-        let mut source = format!("const TP_LANES = {}u;\n{extra}{}", shape.fine_lanes, constants);
-        for file in [files::COMMON, files::ARITHMETIC, files::COLOR, files::FRAGMENT_OPS, files::BLEND] {
-            expand(file, &options, &mut source);
-        }
-        if on(feature::SHADES) {
-            if !self.textures.is_empty() {
-                texture::splice(&self.textures, &options, &mut source);
-            }
-            source.push_str(&program.wgsl);
-            source.push('\n');
-        }
-        expand(files::FINE, &options, &mut source);
-        source
+        (options, extra)
     }
 }

@@ -153,7 +153,7 @@ impl Slice {
     }
 
     /// Appends its tables and returns its parameters, but for what depends on the buffers' sizes.
-    pub fn finish(&mut self, room: &Room, base: Params, tables: &mut Vec<u32>, table_base: u32, action: u32) -> FrontParams {
+    pub fn finish(&self, room: &Room, base: Params, tables: &mut Vec<u32>, table_base: u32, action: u32) -> FrontParams {
         let group_base = table_base + tables.len() as u32;
         tables.extend_from_slice(self.groups.as_flattened());
         let segment_base = table_base + tables.len() as u32;
@@ -174,6 +174,7 @@ impl Slice {
             plane_capacity: room.planes(self.planes),
             pool_capacity: room.pool(self.primitives),
             bins,
+            bin_rows: base.bins[1],
             top_first: base.top_first,
             zero: base.zero,
             action,

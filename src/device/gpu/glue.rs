@@ -28,8 +28,17 @@ fn interpolation_of(program: &Program, k: u8) -> u32 {
     program.varyings.get(k as usize).map_or(interpolation::LINEAR, |v| v.interpolation)
 }
 
+/// Where the planes come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Planes {
+    /// Set-up has written them.
+    Loaded,
+    /// They are worked out from the corners `va`, `vb`, `vc`.
+    Computed,
+}
+
 /// The text for a program and a key.
-pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
+pub fn glue(program: &Program, key: &FineKey, shape: Shape, source: Planes) -> Glue {
     let mut glue = Glue::default();
     let on = |bit: u32| key.features & bit != 0;
     let shades = on(feature::SHADES);
@@ -53,7 +62,7 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
     };
     let needs_w = reads_position || varyings.iter().any(|&k| perspective(k));
 
-    // Words of planes that are wanted.
+    // Words of planes that are wanted, in order.
     let mut words: Vec<u32> = Vec::new();
     if needs_z {
         words.extend(0..3);
@@ -68,7 +77,9 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
         let n = if flat(k) { 4 } else { 12 };
         words.extend(varying_word(k)..varying_word(k) + n);
     }
-    if shape.subgroup8 {
+    if source == Planes::Computed {
+        computed(&mut glue.planes, needs_z, needs_w, &varyings);
+    } else if shape.subgroup8 {
         let mut groups: Vec<u32> = words.iter().map(|w| w / 8).collect();
         groups.dedup();
         for g in groups {
@@ -77,6 +88,15 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
         for w in &words {
             let _ = writeln!(glue.planes, "let p{w} = subgroupBroadcast(pg{}, {}u);", w / 8, w % 8);
         }
+    } else if shape.vectors() {
+        let mut vectors: Vec<u32> = words.iter().map(|w| w / 4).collect();
+        vectors.dedup();
+        for v in vectors {
+            let _ = writeln!(glue.planes, "let pv{v} = tp_planes[(planes >> 2u) + {v}u];");
+        }
+        for w in &words {
+            let _ = writeln!(glue.planes, "let p{w} = pv{}.{};", w / 4, ['x', 'y', 'z', 'w'][*w as usize % 4]);
+        }
     } else {
         for w in &words {
             let _ = writeln!(glue.planes, "let p{w} = tp_planes[planes + {w}u];");
@@ -84,7 +104,7 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
     }
 
     // What depends on the column only is worked out once a triangle where a lane has a whole column.
-    let hoist = shape.fine_lanes < 64;
+    let hoist = shape.fine_lanes < 64 && source == Planes::Loaded;
     // Values are exact. Derivatives need it only where they choose between levels: a blend of levels forgives a rounding.
     let exact_quads = key.textures.iter().any(TextureClass::chooses);
     let quad_fma = if exact_quads { "tp_fma" } else { "fma" };
@@ -180,4 +200,27 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape) -> Glue {
         shade.push_str("keep = result.keep;\n");
     }
     glue
+}
+
+/// Declares the words of the planes that are wanted, computed from the corners.
+fn computed(text: &mut String, needs_z: bool, needs_w: bool, varyings: &[u8]) {
+    if needs_z || needs_w {
+        text.push_str("let zw = tp_depth_planes(basis, va, vb, vc);\n");
+    }
+    for (wanted, component, first) in [(needs_z, 'x', 0), (needs_w, 'y', 3)] {
+        if wanted {
+            for i in 0..3 {
+                let _ = writeln!(text, "let p{} = zw[{i}].{component};", first + i);
+            }
+        }
+    }
+    if needs_z {
+        text.push_str("let p6 = select(0.0, tp_polygon_offset(p.state, va.position, vb.position, vc.position), (p.flags & TP_OFFSET_FILL) != 0u);\n");
+    }
+    for &k in varyings {
+        let _ = writeln!(text, "let planes{k} = tp_varying_planes(p, {k}u, front, basis, va, vb, vc);");
+        for word in 0..12 {
+            let _ = writeln!(text, "let p{} = planes{k}[{}].{};", varying_word(k) + word, word / 4, ['x', 'y', 'z', 'w'][word as usize % 4]);
+        }
+    }
 }

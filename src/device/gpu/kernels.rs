@@ -4,10 +4,11 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex};
 
-use super::adapter::Gpu;
+use super::adapter::{Config, Gpu};
 use super::fine::FineKey;
 use super::source::record_constants;
 use super::stage::{Stage, vertex_source};
+use super::visible::resolve_source;
 use crate::program::Program;
 
 type Cache<K> = Mutex<HashMap<K, Arc<wgpu::ComputePipeline>>>;
@@ -18,19 +19,27 @@ pub struct Kernels {
     pub front_layout: wgpu::BindGroupLayout,
     /// Bindings of every stage behind the front end.
     pub layout: wgpu::BindGroupLayout,
+    /// Bindings of the visible path.
+    pub visible_layout: wgpu::BindGroupLayout,
     /// The sizes of later dispatches, for the stages that write them.
     pub indirect_layout: wgpu::BindGroupLayout,
-    /// By [`front_and_indirect`].
-    pipeline_layouts: [wgpu::PipelineLayout; 4],
+    /// Kernel shape and limits.
+    pub config: Config,
+    /// By [`Bindings`], without and with the dispatches.
+    pipeline_layouts: [[wgpu::PipelineLayout; 2]; 3],
     constants: String,
     stages: Cache<Stage>,
     vertex: Cache<u64>,
     fine: Cache<FineKey>,
+    resolve: Cache<FineKey>,
 }
 
-/// Which of the pipeline layouts.
-fn front_and_indirect(front: bool, indirect: bool) -> usize {
-    front as usize * 2 + indirect as usize
+/// Which layout a kernel's first bind group has.
+#[derive(Clone, Copy)]
+enum Bindings {
+    Stages,
+    Front,
+    Visible,
 }
 
 fn storage_entry(binding: u32, read_only: bool) -> wgpu::BindGroupLayoutEntry {
@@ -57,65 +66,80 @@ fn uniform_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
 
 impl Kernels {
     /// Layouts, no pipelines yet.
-    pub fn new(gpu: &Gpu) -> Kernels {
+    pub fn new(gpu: &Gpu, config: Config) -> Kernels {
         let device = &gpu.device;
-        let group = |label, read_only: &[bool], uniform: bool| {
+        let group = |label, read_only: &[bool], uniforms: u32| {
             let mut entries: Vec<_> = read_only.iter().enumerate().map(|(k, &r)| storage_entry(k as u32, r)).collect();
-            if uniform {
-                entries.push(uniform_entry(entries.len() as u32));
-            }
+            let storage = entries.len() as u32;
+            entries.extend((storage..storage + uniforms).map(uniform_entry));
             device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
         };
         // uniforms, vertices, primitives, records, shaded, screen, triangles, planes, front; then the parameters.
-        let front_layout = group("tepui front end", &[true, true, true, true, false, false, false, false, false], true);
+        let front_layout = group("tepui front end", &[true, true, true, true, false, false, false, false, false], 1);
         // uniforms, records, triangles, planes, lists, colour, depth, texels, segments; then the parameters.
-        let layout = group("tepui stages", &[true, true, true, true, false, false, false, true, true], true);
-        let indirect_layout = group("tepui dispatches", &[false], false);
-        let pipeline_layout = |front: bool, indirect: bool| {
-            let first = Some(if front { &front_layout } else { &layout });
-            let groups = [first, Some(&indirect_layout)];
+        let layout = group("tepui stages", &[true, true, true, true, false, false, false, true, true], 1);
+        // uniforms, primitives, front records, shaded, screen, records, colour, depth, texels, keys, queue; then two of parameters.
+        let visible = [true, true, true, false, false, true, false, false, true, false, false];
+        // A device that cannot take it never uses it.
+        let visible_layout = group("tepui visible", if config.shape.keys64 { &visible } else { &visible[..1] }, 2);
+        let indirect_layout = group("tepui dispatches", &[false], 0);
+        let pipeline_layout = |first: &wgpu::BindGroupLayout, indirect: bool| {
             device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
                 label: None,
-                bind_group_layouts: &groups[..1 + indirect as usize],
+                bind_group_layouts: &[Some(first), Some(&indirect_layout)][..1 + indirect as usize],
                 immediate_size: 0,
             })
         };
-        let pipeline_layouts = [(false, false), (false, true), (true, false), (true, true)].map(|(f, i)| pipeline_layout(f, i));
+        let pipeline_layouts = [&layout, &front_layout, &visible_layout].map(|first| [false, true].map(|i| pipeline_layout(first, i)));
         Kernels {
             front_layout,
             layout,
+            visible_layout,
             indirect_layout,
+            config,
             pipeline_layouts,
             constants: record_constants(),
             stages: Mutex::default(),
             vertex: Mutex::default(),
             fine: Mutex::default(),
+            resolve: Mutex::default(),
         }
     }
 
     /// A stage's pipeline.
     pub fn stage(&self, gpu: &Gpu, stage: Stage) -> Arc<wgpu::ComputePipeline> {
         cached(&self.stages, &stage, || {
-            let layout = front_and_indirect(stage.is_front(), stage.is_indirect());
-            self.build(gpu, &format!("{stage:?}"), &stage.source(gpu.shape, &self.constants), layout)
+            let bindings = match stage {
+                Stage::Visible(..) => Bindings::Visible,
+                _ if stage.is_front() => Bindings::Front,
+                _ => Bindings::Stages,
+            };
+            self.build(gpu, &format!("{stage:?}"), &stage.source(self.config.shape, &self.constants), bindings, stage.is_indirect())
         })
     }
 
     /// The vertex stage's pipeline for a program.
     pub fn vertex(&self, gpu: &Gpu, program: &Program) -> Arc<wgpu::ComputePipeline> {
         cached(&self.vertex, &program.id, || {
-            self.build(gpu, "Vertex", &vertex_source(gpu.shape, program, &self.constants), front_and_indirect(true, false))
+            self.build(gpu, "Vertex", &vertex_source(self.config.shape, program, &self.constants), Bindings::Front, false)
         })
     }
 
     /// The fine stage's pipeline for a key.
     pub fn fine(&self, gpu: &Gpu, key: &FineKey, program: &Program) -> Arc<wgpu::ComputePipeline> {
         cached(&self.fine, key, || {
-            self.build(gpu, "Fine", &key.source(gpu.shape, program, &self.constants), front_and_indirect(false, false))
+            self.build(gpu, "Fine", &key.source(self.config.shape, program, &self.constants), Bindings::Stages, false)
         })
     }
 
-    fn build(&self, gpu: &Gpu, name: &str, source: &str, layout: usize) -> wgpu::ComputePipeline {
+    /// What shades the visible fragments of a segment with a key.
+    pub fn resolve(&self, gpu: &Gpu, key: &FineKey, program: &Program) -> Arc<wgpu::ComputePipeline> {
+        cached(&self.resolve, key, || {
+            self.build(gpu, "Resolve", &resolve_source(key, self.config.shape, program, &self.constants), Bindings::Visible, true)
+        })
+    }
+
+    fn build(&self, gpu: &Gpu, name: &str, source: &str, bindings: Bindings, indirect: bool) -> wgpu::ComputePipeline {
         if std::env::var_os("TEPUI_DUMP_KERNELS").is_some() {
             eprintln!("// kernel {name}\n{source}");
         }
@@ -125,7 +149,7 @@ impl Kernels {
         let module = unsafe { gpu.device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) };
         gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: Some(name),
-            layout: Some(&self.pipeline_layouts[layout]),
+            layout: Some(&self.pipeline_layouts[bindings as usize][indirect as usize]),
             module: &module,
             entry_point: Some("tp_main"),
             compilation_options: wgpu::PipelineCompilationOptions { constants: &[], zero_initialize_workgroup_memory: false },

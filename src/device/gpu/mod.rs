@@ -21,11 +21,15 @@ mod surface;
 #[cfg(test)]
 mod tests;
 mod texture;
+mod visible;
 
 use std::sync::Arc;
 
 use super::{Device, Surface, SurfaceFormat};
+pub use adapter::{Config, Shape};
 use kernels::Kernels;
+pub use profile::StageTime;
+pub use surface::GpuSurface;
 
 /// A Vulkan device that runs the kernels.
 pub struct GpuDevice {
@@ -41,17 +45,29 @@ pub fn real_gpu_present() -> bool {
 impl GpuDevice {
     /// Opens the best Vulkan adapter, software ones included.
     pub fn new() -> Result<GpuDevice, String> {
+        GpuDevice::with(|_| ())
+    }
+
+    /// The same, used in another way than its kind suggests.
+    pub fn with(change: impl FnOnce(&mut Config)) -> Result<GpuDevice, String> {
         let gpu = adapter::gpu()?;
-        Ok(GpuDevice { gpu, kernels: Arc::new(Kernels::new(gpu)) })
+        let mut config = gpu.config;
+        change(&mut config);
+        Ok(GpuDevice { gpu, kernels: Arc::new(Kernels::new(gpu, config)) })
+    }
+
+    /// A surface with the GPU's own methods.
+    pub fn gpu_surface(&self, width: u32, height: u32, format: SurfaceFormat) -> GpuSurface {
+        GpuSurface::new(self.gpu, self.kernels.clone(), width, height, format)
     }
 }
 
 impl Device for GpuDevice {
     fn name(&self) -> String {
-        format!("{}, {}, {} lanes", self.gpu.info.name, self.gpu.info.driver_info, self.gpu.shape.fine_lanes)
+        format!("{}, {}, {} lanes", self.gpu.info.name, self.gpu.info.driver_info, self.kernels.config.shape.fine_lanes)
     }
 
     fn surface(&self, width: u32, height: u32, format: SurfaceFormat) -> Box<dyn Surface> {
-        Box::new(surface::GpuSurface::new(self.gpu, self.kernels.clone(), width, height, format))
+        Box::new(self.gpu_surface(width, height, format))
     }
 }

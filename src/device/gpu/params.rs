@@ -5,6 +5,9 @@ use bytemuck::{Pod, Zeroable};
 /// Words of a segment's record: first triangle, triangles, blocks of 32, super blocks of 1024; the rest reserved.
 pub const SEGMENT_WORDS: u32 = 8;
 
+/// A segment of fewer triangles gives the bin stage a lane for each triangle and row of bins.
+pub const FEW_TRIANGLES: u32 = 4096;
+
 /// Places (words) in the buffer of indirect dispatches.
 pub mod indirect {
     /// The tile stage's workgroups.
@@ -39,8 +42,8 @@ pub struct Status {
     pub blocks: u32,
     /// Blocks of 32 entries in the lists of the segment that failed.
     pub list_blocks: u32,
-    /// Reserved, zero.
-    pub reserved: u32,
+    /// Blocks of large triangles in the visible path.
+    pub items: u32,
 }
 
 /// A dispatch's parameters. Offsets into the list buffer and the record buffer are in words.
@@ -131,6 +134,8 @@ pub struct FrontParams {
     pub state_base: u32,
     /// Bins of the surface.
     pub bins: u32,
+    /// Rows of them.
+    pub bin_rows: u32,
     /// Lanes of a workgroup of the list stages.
     pub list_lanes: u32,
     /// Row 0 is GL's top row.
@@ -141,4 +146,18 @@ pub struct FrontParams {
     pub action: u32,
     /// Blocks of vertices of the dispatch.
     pub vertex_blocks: u32,
+    /// Visible path: first primitive of the segment.
+    pub first_primitive: u32,
+    /// Its primitives.
+    pub primitive_count: u32,
+    /// Blocks of large triangles, in words of the queue: primitive, triangle, block, 3 words each.
+    pub item_base: u32,
+    /// Blocks that fit.
+    pub item_capacity: u32,
+    /// Corners of the fans that clipping left, in words of the queue, 3 a triangle.
+    pub fan_base: u32,
+    /// Triangles of fans that fit.
+    pub fan_capacity: u32,
+    /// The first triangle of a clipped primitive's fan, in words of the queue, a word a primitive.
+    pub map_base: u32,
 }

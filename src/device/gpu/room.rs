@@ -32,6 +32,7 @@ impl Room {
             planes: words(16),
             pool: words(64),
             clipped: words(32),
+            items: words(48),
             // Masks and counts share the buffer.
             list_blocks: words(LIST_BLOCK_BYTES + LIST_BLOCK_BYTES / 2),
             ..Status::default()
@@ -50,7 +51,13 @@ impl Room {
 
     /// Blocks of 32 triangles that a segment may have at most: their masks have a word for each bin.
     pub fn most_blocks(&self, bins: u32) -> u32 {
-        (MOST_MASK_WORDS / bins.max(1)).clamp(1, 1 << 20).min(self.most_segment_triangles / 32).max(1)
+        (MOST_MASK_WORDS / bins.max(1)).clamp(1, 1 << 20)
+    }
+
+    /// Triangles before clipping that a segment may have: an eighth of its blocks is left to what clipping makes.
+    pub fn segment_triangles(&self, bins: u32) -> u32 {
+        let blocks = self.most_blocks(bins);
+        ((blocks - blocks / 8) * 32).min(self.most_segment_triangles)
     }
 
     /// Blocks for a segment of so many triangles before clipping.
@@ -84,6 +91,11 @@ impl Room {
         (triangles / 16 + bins).max(self.least.list_blocks).min(self.most_list_blocks)
     }
 
+    /// Blocks of large triangles of so many.
+    pub fn items(&self, primitives: u32) -> u32 {
+        (primitives.min(1 << 20) + (1 << 14)).max(self.least.items).min(self.most.items)
+    }
+
     /// Makes room for what did not fit; cuts slices in half where the device has no more. False where that does not help any more.
     pub fn learn(&mut self, wanted: &Status, bins: u32) -> bool {
         let most_blocks = self.most_blocks(bins);
@@ -97,6 +109,7 @@ impl Room {
         learn(&mut self.least.planes, self.most.planes, wanted.planes);
         learn(&mut self.least.pool, self.most.pool, wanted.pool);
         learn(&mut self.least.clipped, self.most.clipped, wanted.clipped);
+        learn(&mut self.least.items, self.most.items, wanted.items);
         learn(&mut self.least.blocks, most_blocks, wanted.blocks);
         learn(&mut self.least.list_blocks, self.most_list_blocks, wanted.list_blocks);
         if smaller {

@@ -70,6 +70,7 @@ pub fn needs(batch: &Batch, index: usize, format: SurfaceFormat) -> DrawNeeds {
 }
 
 /// A segment that grows draw by draw.
+#[derive(Clone)]
 pub struct Segment {
     /// Its kernel.
     pub key: FineKey,

@@ -8,7 +8,7 @@ use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 use std::mem::offset_of;
 
-use super::params::{SEGMENT_WORDS, indirect};
+use super::params::{FEW_TRIANGLES, SEGMENT_WORDS, indirect};
 use crate::raster::layout::*;
 use crate::raster::vertex::{COORDINATE_RANGE, clip_code};
 
@@ -66,6 +66,15 @@ pub mod files {
     pub const INSIDE: File = File { name: "inside.wgsl", text: include_str!("../../../shaders/inside.wgsl") };
     pub const CLIP: File = File { name: "clip.wgsl", text: include_str!("../../../shaders/clip.wgsl") };
     pub const POINT_LINE: File = File { name: "point_line.wgsl", text: include_str!("../../../shaders/point_line.wgsl") };
+    pub const CORNER: File = File { name: "corner.wgsl", text: include_str!("../../../shaders/corner.wgsl") };
+    pub const POLYGON: File = File { name: "polygon.wgsl", text: include_str!("../../../shaders/polygon.wgsl") };
+    pub const VISIBLE: File = File { name: "visible.wgsl", text: include_str!("../../../shaders/visible.wgsl") };
+    pub const KEYS: File = File { name: "keys.wgsl", text: include_str!("../../../shaders/keys.wgsl") };
+    pub const VISIBLE_SMALL: File = File { name: "visible_small.wgsl", text: include_str!("../../../shaders/visible_small.wgsl") };
+    pub const VISIBLE_CLIP: File = File { name: "visible_clip.wgsl", text: include_str!("../../../shaders/visible_clip.wgsl") };
+    pub const VISIBLE_LARGE: File = File { name: "visible_large.wgsl", text: include_str!("../../../shaders/visible_large.wgsl") };
+    pub const VISIBLE_END: File = File { name: "visible_end.wgsl", text: include_str!("../../../shaders/visible_end.wgsl") };
+    pub const VISIBLE_RESOLVE: File = File { name: "visible_resolve.wgsl", text: include_str!("../../../shaders/visible_resolve.wgsl") };
     pub const BIN: File = File { name: "bin.wgsl", text: include_str!("../../../shaders/bin.wgsl") };
     pub const COUNT: File = File { name: "count.wgsl", text: include_str!("../../../shaders/count.wgsl") };
     pub const SCAN: File = File { name: "scan.wgsl", text: include_str!("../../../shaders/scan.wgsl") };
@@ -87,7 +96,8 @@ pub fn expand(file: File, options: &Options, out: &mut String) {
 }
 
 /// Replaces `WORD(load, k)`: word `k` of what `//#load` loaded, the same for all lanes of a workgroup. Where a workgroup is
-/// one subgroup of eight lanes, each lane loaded one word, which is broadcast; elsewhere it is read where it is wanted.
+/// one subgroup of eight lanes, each lane loaded one word, which is broadcast; where loads are vectors, it is a component of one;
+/// elsewhere it is read where it is wanted.
 fn words_of_loads(line: &str, options: &Options, loads: &[(String, String)], out: &mut String) {
     let mut rest = line;
     while let Some(at) = rest.find("WORD(") {
@@ -97,6 +107,9 @@ fn words_of_loads(line: &str, options: &Options, loads: &[(String, String)], out
         let (name, k) = (name.trim(), k.trim());
         if options.flags.contains("SUBGROUP8") {
             let _ = write!(out, "subgroupBroadcast({name}, {k}u)");
+        } else if options.flags.contains("VECTORS") {
+            let k: usize = k.parse().expect("WORD(load, k) has a number");
+            let _ = write!(out, "{name}_{}.{}", k / 4, ["x", "y", "z", "w"][k % 4]);
         } else {
             let buffer = &loads.iter().rev().find(|l| l.0 == name).expect("a //#load before its WORD").1;
             let _ = write!(out, "{buffer}[{name}_at + {k}u]");
@@ -128,6 +141,9 @@ fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)
                 let at = words.collect::<Vec<_>>().join(" ");
                 if options.flags.contains("SUBGROUP8") {
                     let _ = writeln!(out, "let {name} = {buffer}[{at} + column];");
+                } else if options.flags.contains("VECTORS") {
+                    // What is loaded begins at a multiple of four words; what of it is not used is not loaded.
+                    let _ = writeln!(out, "let {name}_0 = {buffer}[({at}) >> 2u];\nlet {name}_1 = {buffer}[(({at}) >> 2u) + 1u];");
                 } else {
                     let _ = writeln!(out, "let {name}_at = {at};");
                 }
@@ -210,6 +226,7 @@ pub fn record_constants() -> String {
         "TP_STATE_OFFSET_UNITS" = offset_units,
         "TP_STATE_LINE_WIDTH" = line_width,
         "TP_STATE_POINT_SIZE" = point_size,
+        "TP_STATE_DEPTH_RANGE" = depth_range,
     );
     for (name, value) in [
         ("TP_FRONT", triangle_flags::FRONT),
@@ -247,6 +264,7 @@ pub fn record_constants() -> String {
         ("TP_DEPTH_PLANE_VEC4", DEPTH_PLANE_VEC4),
         ("TP_VARYING_PLANE_VEC4", VARYING_PLANE_VEC4),
         ("TP_SEGMENT_WORDS", SEGMENT_WORDS),
+        ("TP_FEW_TRIANGLES", FEW_TRIANGLES),
         ("TP_SETUP_DISPATCH", indirect::SETUP),
         ("TP_CLIP_DISPATCH", indirect::CLIP),
         ("TP_FAILED", indirect::FAILED),

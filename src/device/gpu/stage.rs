@@ -10,6 +10,10 @@ use crate::program::{Output, Program};
 const FRONT_LANES: u32 = 256;
 /// Primitives of a lane's run where a workgroup is one SIMD register wide.
 const RUN: u32 = 8;
+/// Lanes of the visible path's workgroups.
+pub const VISIBLE_LANES: u32 = 128;
+/// Rows that a lane of the clear kernel clears.
+pub const CLEAR_ROWS: u32 = 8;
 /// Vertices of a block of the vertex stage.
 pub const VERTEX_BLOCK: u32 = 64;
 
@@ -33,6 +37,18 @@ pub enum Stage {
     Active,
     /// Words of a colour pixel.
     Clear(u32),
+    /// A kernel of the visible path, its depth function's LEQUAL, and bits of depth.
+    Visible(Visible, bool, u32),
+}
+
+/// The kernels of the visible path that know nothing of fragment programs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Visible {
+    Small,
+    Clip,
+    Large,
+    End,
 }
 
 /// What the kernels of set-up contain.
@@ -55,7 +71,7 @@ impl Stage {
 
     /// It reads or writes the words of later dispatches.
     pub fn is_indirect(self) -> bool {
-        matches!(self, Stage::Offsets | Stage::Scan | Stage::Active | Stage::Clear(_))
+        matches!(self, Stage::Offsets | Stage::Scan | Stage::Active | Stage::Clear(_) | Stage::Visible(Visible::End, ..))
     }
 
     /// Its text.
@@ -73,11 +89,11 @@ impl Stage {
             }
             Stage::Setup(f) => {
                 (features, lanes) = (f, if wide { FRONT_LANES } else { lanes });
-                &[files::PRIMITIVE, files::POINT_LINE, files::SETUP, files::INSIDE]
+                &[files::PRIMITIVE, files::CORNER, files::POINT_LINE, files::SETUP, files::INSIDE]
             }
             Stage::Clip(f) => {
                 features = f;
-                &[files::PRIMITIVE, files::POINT_LINE, files::SETUP, files::CLIP]
+                &[files::PRIMITIVE, files::CORNER, files::POLYGON, files::POINT_LINE, files::SETUP, files::CLIP]
             }
             Stage::Offsets => {
                 lanes = if wide { 256 } else { lanes };
@@ -94,12 +110,24 @@ impl Stage {
             }
             Stage::Emit => &[files::EMIT],
             Stage::Tile => &[files::TILE],
+            Stage::Visible(which, lequal, depth_bits) => {
+                lanes = VISIBLE_LANES;
+                options.flag("VISIBLE", true);
+                options.flag("LEQUAL", lequal);
+                let _ = writeln!(extra, "const TP_DEPTH_SCALE = {}.0;", (1u64 << depth_bits) - 1);
+                match which {
+                    Visible::Small => &[files::PRIMITIVE, files::CORNER, files::KEYS, files::VISIBLE_SMALL],
+                    Visible::Clip => &[files::PRIMITIVE, files::CORNER, files::POLYGON, files::KEYS, files::VISIBLE_CLIP],
+                    Visible::Large => &[files::PRIMITIVE, files::CORNER, files::KEYS, files::VISIBLE_LARGE],
+                    Visible::End => &[files::PRIMITIVE, files::CORNER, files::VISIBLE_END],
+                }
+            }
             Stage::Active => {
                 options.flag("ATOMIC_LISTS", true);
                 &[files::ACTIVE]
             }
             Stage::Clear(words) => {
-                let _ = writeln!(extra, "const TP_COLOR_WORDS = {words}u;");
+                let _ = writeln!(extra, "const TP_COLOR_WORDS = {words}u;\nconst TP_CLEAR_ROWS = {CLEAR_ROWS};");
                 &[files::CLEAR]
             }
         };
@@ -110,7 +138,12 @@ impl Stage {
         options.flag("RUNS", !wide);
         let _ = writeln!(extra, "const TP_RUN = {RUN}u;\nconst TP_SUMS = {}u;", sums_of_a_group(shape));
         let mut source = format!("const TP_LANES = {lanes}u;\n{extra}{constants}");
-        expand(if self.is_front() { files::FRONT } else { files::COMMON }, &options, &mut source);
+        let visible = matches!(self, Stage::Visible(..));
+        for (file, wanted) in [(files::COMMON, !self.is_front()), (files::FRONT, self.is_front() || visible), (files::VISIBLE, visible)] {
+            if wanted {
+                expand(file, &options, &mut source);
+            }
+        }
         expand(files::ARITHMETIC, &options, &mut source);
         for part in parts {
             // Points and lines are left out whole where nothing draws them.
@@ -151,7 +184,7 @@ pub fn vertex_source(shape: Shape, program: &Program, constants: &str) -> String
     for (k, output) in program.outputs.iter().enumerate() {
         let _ = writeln!(store, "tp_shaded[at + {}u] = out.o{k};", k + 1);
         if let Output::ClipDistance(group) = output {
-            let _ = writeln!(store, "user |= tp_user_code(out.o{k}, {}u, tp_records[record + TP_DRAW_CLIP_DISTANCE_COUNT]);", group * 4);
+            let _ = writeln!(store, "user |= tp_user_code(out.o{k}, {}u, tp_front_records[record + TP_DRAW_CLIP_DISTANCE_COUNT]);", group * 4);
         }
     }
     options.inserts.insert("FETCH", fetch);

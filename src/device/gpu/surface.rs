@@ -8,6 +8,7 @@ use super::adapter::Gpu;
 use super::buffers::create;
 use super::execute::{Buffers, Executor};
 use super::kernels::Kernels;
+use super::profile::StageTime;
 use crate::device::{Pixels, Surface, SurfaceFormat};
 use crate::draw::Batch;
 
@@ -40,6 +41,17 @@ impl GpuSurface {
         let pixels = Pixels::new(width, height, format);
         let executor = Executor::new(gpu, kernels, Buffers::new(gpu, &pixels), [width, height], format);
         GpuSurface { gpu, executor, readback: None, pixels, newer: Newer::Same }
+    }
+
+    /// Draws a batch again and again and measures it: see [`Executor::timed`].
+    pub fn timed(&mut self, batch: &Batch, frames: usize, stages: bool) -> Vec<Vec<StageTime>> {
+        self.newer = Newer::Gpu;
+        self.executor.timed(batch, frames, stages)
+    }
+
+    /// Bytes of the buffers that grow with a batch, by name.
+    pub fn memory(&self) -> Vec<(&'static str, u64)> {
+        self.executor.memory()
     }
 
     fn upload_pixels(&mut self) {

@@ -75,7 +75,7 @@ pub(super) fn generate(t: &mut Text, key: &LightingKey) {
         }
     }
     if key.specular && key.local_viewer {
-        t.line("let viewer = normalize(-eye.xyz);");
+        t.line("let viewer = unit(-eye.xyz);");
     }
     for (i, bits) in key.lights.iter().enumerate().filter(|(_, bits)| **bits & light::ENABLED != 0) {
         one_light(t, key, i as u8, *bits);
@@ -103,7 +103,7 @@ fn one_light(t: &mut Text, key: &LightingKey, i: u8, bits: u8) {
     if bits & light::POSITIONAL != 0 {
         t.line(format!("let to{i} = {position}.xyz - eye.xyz;"));
         t.line(format!("let square{i} = dot(to{i}, to{i});"));
-        t.line(format!("let inverse{i} = inverseSqrt(square{i});"));
+        t.line(format!("let inverse{i} = inverse_root(square{i});"));
         t.line(format!("let vp{i} = to{i} * inverse{i};"));
     } else {
         t.line(format!("let vp{i} = {position}.xyz;"));
@@ -117,7 +117,7 @@ fn one_light(t: &mut Text, key: &LightingKey, i: u8, bits: u8) {
     if bits & light::SPOT != 0 {
         let (spot, exponent) = (t.slot(Slot::LightSpot(i)), t.slot(Slot::LightExponent(i)));
         t.line(format!("let along{i} = -dot(vp{i}, {spot}.xyz);"));
-        let cone = format!("select(0.0, pow(max(along{i}, 0.0), {exponent}.x), along{i} >= {spot}.w)");
+        let cone = format!("select(0.0, power(max(along{i}, 0.0), {exponent}.x), along{i} >= {spot}.w)");
         if factor.is_some() {
             t.line(format!("factor{i} *= {cone};"));
         } else {
@@ -128,9 +128,9 @@ fn one_light(t: &mut Text, key: &LightingKey, i: u8, bits: u8) {
     t.line(format!("let nl{i} = dot(normal, vp{i});"));
     if key.specular {
         if key.local_viewer {
-            t.line(format!("let half{i} = normalize(vp{i} + viewer);"));
+            t.line(format!("let half{i} = unit(vp{i} + viewer);"));
         } else if bits & light::POSITIONAL != 0 {
-            t.line(format!("let half{i} = normalize(vp{i} + vec3<f32>(0.0, 0.0, 1.0));"));
+            t.line(format!("let half{i} = unit(vp{i} + vec3<f32>(0.0, 0.0, 1.0));"));
         } else {
             let half = t.slot(Slot::LightHalf(i));
             t.line(format!("let half{i} = {half}.xyz;"));
@@ -157,7 +157,7 @@ fn one_light(t: &mut Text, key: &LightingKey, i: u8, bits: u8) {
                 format!("{}.rgb", t.slot(Slot::SpecularProduct(face, i)))
             };
             let shininess = t.slot(Slot::Shininess(face));
-            let power = format!("select(0.0, pow(max({sign}nh{i}, 0.0), {shininess}.x), {sign}nl{i} > 0.0)");
+            let power = format!("select(0.0, power(max({sign}nh{i}, 0.0), {shininess}.x), {sign}nl{i} > 0.0)");
             match &factor {
                 Some(f) => t.line(format!("{name}_shine += ({f} * {power}) * {specular};")),
                 None => t.line(format!("{name}_shine += {power} * {specular};")),

@@ -53,12 +53,12 @@ impl TexCoordKey {
 /// What the units share: the reflection vector and the sphere map.
 pub(super) fn shared(t: &mut Text, units: &[TexCoordKey]) {
     if units.iter().any(TexCoordKey::needs_reflection) {
-        t.line("let incident = normalize(eye.xyz);");
+        t.line("let incident = unit(eye.xyz);");
         t.line("let reflected = incident - normal * (2.0 * dot(normal, incident));");
     }
     if units.iter().any(TexCoordKey::needs_sphere) {
         t.line("let outwards = reflected + vec3<f32>(0.0, 0.0, 1.0);");
-        t.line("let sphere = reflected.xy * (0.5 * inverseSqrt(dot(outwards, outwards))) + vec2<f32>(0.5);");
+        t.line("let sphere = reflected.xy * (0.5 * inverse_root(dot(outwards, outwards))) + vec2<f32>(0.5);");
     }
 }
 

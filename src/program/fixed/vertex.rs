@@ -80,7 +80,7 @@ pub(super) fn generate(key: &VertexKey) -> FixedProgram {
         t.line(match key.normal {
             Normal::Keep => format!("let normal = {normal};"),
             Normal::Rescale => format!("let normal = ({normal}) * {x}.w;"),
-            Normal::Normalize => format!("let normal = normalize({normal});"),
+            Normal::Normalize => format!("let normal = unit({normal});"),
         });
     }
     if lit {
@@ -130,16 +130,24 @@ pub(super) fn generate(key: &VertexKey) -> FixedProgram {
         }
     }
     for group in 0..key.clip_planes.div_ceil(4) {
-        let distances: Vec<String> = (group * 4..group * 4 + 4)
-            .map(|i| if i < key.clip_planes { format!("dot({}, eye)", t.slot(Slot::ClipPlane(i))) } else { "0.0".into() })
-            .collect();
+        let mut distances = Vec::new();
+        for i in group * 4..group * 4 + 4 {
+            if i >= key.clip_planes {
+                distances.push("0.0".into());
+                continue;
+            }
+            // Where a plane cuts decides between pixels: its terms are rounded as on the CPU.
+            let plane = t.slot(Slot::ClipPlane(i));
+            t.line(format!("let terms{i} = products({plane}, eye);"));
+            distances.push(format!("((terms{i}.x + terms{i}.y) + terms{i}.z) + terms{i}.w"));
+        }
         write(&mut t, &mut outputs, Output::ClipDistance(group), &format!("vec4<f32>({})", distances.join(", ")));
     }
     if key.point_attenuation {
         let (size, factors) = (t.slot(Slot::PointSize), t.slot(Slot::PointAttenuation));
         t.line("let distance = length(eye.xyz);");
         t.line(format!("let attenuation = ({factors}.x + {factors}.y * distance) + {factors}.z * (distance * distance);"));
-        let value = format!("vec4<f32>(clamp({size}.x * inverseSqrt(attenuation), {size}.y, {size}.z), 0.0, 0.0, 1.0)");
+        let value = format!("vec4<f32>(clamp({size}.x * inverse_root(attenuation), {size}.y, {size}.z), 0.0, 0.0, 1.0)");
         write(&mut t, &mut outputs, Output::PointSize, &value);
     }
     finish(t, attributes, outputs)

@@ -1,0 +1,139 @@
+// Samples offer keys: small triangles in the lane that sets them up, large ones are queued in blocks of 64 x 64 pixels.
+
+// What a lane knows of a triangle while it walks its samples.
+struct TpWalk {
+    // First and last column and row.
+    low: vec2<i32>,
+    high: vec2<i32>,
+    // z: a0, d/dx, d/dy, and the polygon offset.
+    z: vec4<f32>,
+    depth_range: vec2<f32>,
+    // The lower 40 bits of its keys.
+    order: u64,
+    x: vec3<i32>,
+    y: vec3<i32>,
+}
+
+// False: it has no sample to draw.
+fn tp_walk(p: TpPrimitive, index: u32, triangle: u32, a: TpCorner, b: TpCorner, c: TpCorner, walk: ptr<function, TpWalk>) -> bool {
+    var x = vec3<i32>(a.snapped.x, b.snapped.x, c.snapped.x);
+    var y = vec3<i32>(a.snapped.y, b.snapped.y, c.snapped.y);
+    let area = i64(x.x - x.y) * i64(y.z - y.x) - i64(x.z - x.x) * i64(y.x - y.y);
+    let positive = area > 0;
+    if (area == 0 || tp_is_culled(tp_is_front(select(-1, 1, positive), p.flags), p.flags)) {
+        return false;
+    }
+    let box = tp_bounds(x, y, p.state);
+    if (box.x == TP_NOWHERE) {
+        return false;
+    }
+    // Vertices 0 and 1 change places where the area is negative.
+    var first = a.position;
+    var second = b.position;
+    if (!positive) {
+        x = x.yxz;
+        y = y.yxz;
+        first = b.position;
+        second = a.position;
+    }
+    let t = tp_basis(first, second, c.position);
+    let d01 = first.z - second.z;
+    let d20 = c.position.z - first.z;
+    let dx = tp_mul(d01, t.dy20) - tp_mul(d20, t.dy01);
+    let dy = tp_mul(d20, t.dx01) - tp_mul(d01, t.dx20);
+    let z0 = first.z - (tp_mul(dx, t.x0c) + tp_mul(dy, t.y0c));
+    var offset = 0.0;
+    if ((p.flags & TP_OFFSET_FILL) != 0u) {
+        offset = tp_polygon_offset(p.state, first, second, c.position);
+    }
+    (*walk).low = vec2<i32>(vec2<u32>(box.x & 0xffffu, box.y & 0xffffu));
+    (*walk).high = vec2<i32>(vec2<u32>(box.x >> 16u, box.y >> 16u));
+    (*walk).z = vec4<f32>(z0, dx, dy, offset);
+    (*walk).depth_range = vec2<f32>(tp_state_float(p.state, TP_STATE_DEPTH_RANGE), tp_state_float(p.state, TP_STATE_DEPTH_RANGE + 1u));
+    let order = (u64(index) << 8u) | u64(triangle);
+//#if LEQUAL
+    (*walk).order = order ^ 0xfffffffffflu;
+//#else
+    (*walk).order = order;
+//#endif
+    (*walk).x = x;
+    (*walk).y = y;
+    return true;
+}
+
+// A covered sample offers its key. zx: the z plane at its column.
+fn tp_offer(walk: ptr<function, TpWalk>, px: i32, py: i32, zx: f32) {
+    let z = tp_fma(f32(py), (*walk).z.z, zx) + (*walk).z.w;
+    let clamped = min(max(z, (*walk).depth_range.x), (*walk).depth_range.y);
+    let depth = u32(i32(round(clamped * TP_DEPTH_SCALE)));
+    atomicMin(&tp_keys[u32(py) * tp.size.x + u32(px)], (u64(depth) << 40u) | (*walk).order);
+}
+
+// 0 where samples on the edge belong to the triangle, else 1: left edges do, and the horizontal ones at the bottom as GL sees it.
+fn tp_edge_biases(dx: vec3<i32>, dy: vec3<i32>) -> vec3<i32> {
+    let bottom = select(dx > vec3<i32>(0), dx < vec3<i32>(0), tf.top_first != 0u);
+    return select(vec3<i32>(1), vec3<i32>(0), (dy < vec3<i32>(0)) | ((dy == vec3<i32>(0)) & bottom));
+}
+
+// Most samples that a lane looks at by itself.
+const TP_SMALL = 64;
+
+// A triangle: its samples offer their keys here, or its blocks are queued.
+fn tp_offer_triangle(p: TpPrimitive, index: u32, triangle: u32, a: TpCorner, b: TpCorner, c: TpCorner) {
+    var walk: TpWalk;
+    if (!tp_walk(p, index, triangle, a, b, c, &walk)) {
+        return;
+    }
+    let extent = walk.high - walk.low + 1;
+    if (extent.x > TP_SMALL || extent.y > TP_SMALL || extent.x * extent.y > TP_SMALL) {
+        let blocks = vec2<u32>((extent + 63) >> vec2<u32>(6u));
+        let count = blocks.x * blocks.y;
+        let first = atomicAdd(&tp_queue[TP_BLOCKS], count);
+        for (var k = 0u; k < count && first + k < tf.item_capacity; k++) {
+            let at = tf.item_base + (first + k) * 3u;
+            atomicStore(&tp_queue[at], index);
+            atomicStore(&tp_queue[at + 1u], triangle);
+            atomicStore(&tp_queue[at + 2u], (k % blocks.x) | ((k / blocks.x) << 16u));
+        }
+        return;
+    }
+    // Near the first sample everything fits 32 bits, also for a triangle whose scissored part alone is small: larger ones are queued.
+    let dx = walk.x - walk.x.yzx;
+    let dy = walk.y - walk.y.yzx;
+    let wide = max(max(abs(dx.x) | abs(dx.y), abs(dx.z)), max(abs(dy.x) | abs(dy.y), abs(dy.z)));
+    let qx = walk.x - walk.low.x * 256;
+    let qy = walk.y - walk.low.y * 256;
+    var c0: vec3<i32>;
+    if (wide < 0x4000) {
+        c0 = (dy * qx - dx * qy - tp_edge_biases(dx, dy)) >> vec3<u32>(8u);
+    } else {
+        c0 = tp_wide_edges(dx, dy, qx, qy);
+    }
+    var row = 0;
+    loop {
+        var e = c0 + dx * row;
+        let py = walk.low.y + row;
+        for (var column = 0; column < extent.x; column++) {
+            if ((e.x | e.y | e.z) >= 0) {
+                let px = walk.low.x + column;
+                tp_offer(&walk, px, py, tp_fma(f32(px), walk.z.y, walk.z.x));
+            }
+            e -= dy;
+        }
+        row++;
+        if (row >= extent.y) {
+            break;
+        }
+    }
+}
+
+// The edge functions at a place, in whole steps, saturated: nothing within 64 pixels changes its sign by that.
+fn tp_wide_edges(dx: vec3<i32>, dy: vec3<i32>, qx: vec3<i32>, qy: vec3<i32>) -> vec3<i32> {
+    let bias = tp_edge_biases(dx, dy);
+    var c: vec3<i32>;
+    for (var k = 0u; k < 3u; k++) {
+        let e = (i64(dy[k]) * i64(qx[k]) - i64(dx[k]) * i64(qy[k]) - i64(bias[k])) >> 8u;
+        c[k] = i32(clamp(e, i64(-0x40000000), i64(0x40000000)));
+    }
+    return c;
+}

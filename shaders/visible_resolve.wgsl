@@ -1,0 +1,73 @@
+// A lane a pixel, 8 x 8 of them side by side: the fragment whose key won is tested against what was there, shaded and written. Leaves the
+// keys as the next segment wants them. Where the batch was stopped nothing is written.
+
+@group(1) @binding(0) var<storage, read_write> tp_indirect: array<u32>;
+
+@compute @workgroup_size(TP_LANES)
+fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let tile = (group.x + group.y * 32768u) * (TP_LANES / 64u) + lane / 64u;
+    let columns = (tp.size.x + 7u) / 8u;
+    let px = (tile % columns) * 8u + (lane & 7u);
+    let py = (tile / columns) * 8u + ((lane >> 3u) & 7u);
+    if (px >= tp.size.x || py >= tp.size.y) {
+        return;
+    }
+    let at = py * tp.size.x + px;
+    let key = tp_keys[at];
+    if ((key.x & key.y) == 0xffffffffu) {
+        return;
+    }
+    tp_keys[at] = vec2<u32>(0xffffffffu);
+    let old_depth = tp_depth[at];
+    let depth = key.y >> 8u;
+//#if LEQUAL
+    let order = ~key;
+    let passes = depth <= (old_depth & 0xffffffu);
+//#else
+    let order = key;
+    let passes = depth < (old_depth & 0xffffffu);
+//#endif
+    if (!passes || tp_indirect[TP_FAILED] != 0u) {
+        return;
+    }
+    tp_depth[at] = (old_depth & 0xff000000u) | depth;
+    let index = ((order.y & 0xffu) << 24u) | (order.x >> 8u);
+    let triangle = order.x & 0xffu;
+    let p = tp_primitive(index);
+    var corners = vec3<u32>(0u, 1u, 2u);
+    if (triangle > 0u) {
+        let fan = tf.fan_base + (tp_queue[tf.map_base + index - tf.first_primitive] + triangle - 1u) * 3u;
+        corners = vec3<u32>(tp_queue[fan], tp_queue[fan + 1u], tp_queue[fan + 2u]);
+    }
+    let corner_a = tp_corner_at(p, corners.x);
+    let corner_b = tp_corner_at(p, corners.y);
+    let vc = tp_corner_at(p, corners.z);
+    let area = i64(corner_a.snapped.x - corner_b.snapped.x) * i64(vc.snapped.y - corner_a.snapped.y) - i64(vc.snapped.x - corner_a.snapped.x) * i64(corner_a.snapped.y - corner_b.snapped.y);
+    let front = tp_is_front(select(-1, 1, area > 0), p.flags);
+    var va = corner_a;
+    var vb = corner_b;
+    if (area < 0) {
+        va = corner_b;
+        vb = corner_a;
+    }
+    tp_provoking = p.shaded.z;
+    let flags = select(0u, TP_FRONT, front);
+    let basis = tp_basis(va.position, vb.position, vc.position);
+    //#insert PLANES
+    // The draw's states.
+    let draw = tp.draws + p.draw * TP_DRAW_WORDS;
+    //#load sa tp_records draw
+    let fragment_uniforms = WORD(sa, 0);
+//#if TEXTURES
+    let textures = WORD(sa, 1);
+    //#insert TEXTURES
+//#endif
+    var state: TpState;
+    //#state
+    let x = f32(i32(px));
+    let y = f32(i32(py));
+    var color = vec4<f32>(0.0);
+    //#insert DEPTH
+    //#insert SHADE
+    tp_store_pixel(at, tp_merge(state, tp_load_pixel(at), color));
+}
