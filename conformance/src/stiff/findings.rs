@@ -1,6 +1,6 @@
 //! Where Tepui's CPU executor is more exact than OSMesa and where less, out of the numbers of a run, with what we know of the cause.
 
-use super::run::{Outcome, Result_};
+use super::run::{FamilyResult, Outcome};
 
 /// One number in which the two differ, over all severities of a family.
 pub struct Finding {
@@ -78,13 +78,13 @@ const METRICS: [Metric; 7] = [
     ("sum of mean depth errors, in units", |o| o.score.depth.mean(), |a, b| a + b),
 ];
 
-fn total(result: &Result_, implementation: &str, metric: &Metric) -> Option<f64> {
+fn total(result: &FamilyResult, implementation: &str, metric: &Metric) -> Option<f64> {
     let outcomes = result.steps.iter().flat_map(|s| &s.outcomes).filter(|o| o.implementation == implementation);
     outcomes.map(metric.1).reduce(metric.2)
 }
 
 /// Where Tepui is the more exact, and where it is the less exact. Differences of less than two percent are none.
-pub fn findings(results: &[Result_]) -> [Vec<Finding>; 2] {
+pub fn findings(results: &[FamilyResult]) -> [Vec<Finding>; 2] {
     let mut out = [Vec::new(), Vec::new()];
     for result in results {
         for metric in &METRICS {

@@ -6,7 +6,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::findings::{Finding, findings};
 use super::plots::{PLOTS, draw, short, style};
-use super::run::{Options, Outcome, Result_, Step};
+use super::run::{FamilyResult, Options, Outcome, Step};
 use crate::Error;
 use crate::expectations::Verdict;
 use crate::machine::machine;
@@ -39,7 +39,7 @@ fn row(step: &Step, outcome: &Outcome, first: bool) -> Markup {
     }
 }
 
-fn section(result: &Result_) -> Result<Markup, Error> {
+fn section(result: &FamilyResult) -> Result<Markup, Error> {
     let plots = PLOTS.iter().map(|p| draw(result, p)).collect::<Result<Vec<_>, String>>()?;
     let mut reasons: Vec<&str> = Vec::new();
     for outcome in result.steps.iter().flat_map(|s| &s.outcomes) {
@@ -66,12 +66,12 @@ fn section(result: &Result_) -> Result<Markup, Error> {
     })
 }
 
-fn sum(result: &Result_, implementation: &str, number: impl Fn(&Outcome) -> f64) -> f64 {
+fn sum(result: &FamilyResult, implementation: &str, number: impl Fn(&Outcome) -> f64) -> f64 {
     result.steps.iter().flat_map(|s| &s.outcomes).filter(|o| o.implementation == implementation).map(number).sum()
 }
 
-fn summary(results: &[Result_], implementations: &[&'static str]) -> Markup {
-    let largest = |r: &Result_, i: &str, number: fn(&Outcome) -> (u64, f64)| {
+fn summary(results: &[FamilyResult], implementations: &[&'static str]) -> Markup {
+    let largest = |r: &FamilyResult, i: &str, number: fn(&Outcome) -> (u64, f64)| {
         let outcomes = r.steps.iter().flat_map(|s| &s.outcomes).filter(|o| o.implementation == i);
         let max = outcomes.map(number).filter(|n| n.0 > 0).map(|n| n.1).reduce(f64::max);
         max.map_or("-".to_owned(), |v| if v.is_finite() { format!("{v:.2}") } else { "NaN".into() })
@@ -118,7 +118,7 @@ fn found(title: &str, list: &[Finding]) -> Markup {
     }
 }
 
-fn page(options: &Options, about: &[(&str, String)], results: &[Result_]) -> Result<Markup, Error> {
+fn page(options: &Options, about: &[(&str, String)], results: &[FamilyResult]) -> Result<Markup, Error> {
     let implementations: Vec<&'static str> =
         results.first().map_or(Vec::new(), |r| r.steps[0].outcomes.iter().map(|o| o.implementation).collect());
     let sections = results.iter().map(section).collect::<Result<Vec<_>, _>>()?;
@@ -167,7 +167,7 @@ fn page(options: &Options, about: &[(&str, String)], results: &[Result_]) -> Res
 }
 
 /// Writes both files into `output`.
-pub fn write(output: &Path, options: &Options, about: &[(&str, String)], results: &[Result_]) -> Result<(), Error> {
+pub fn write(output: &Path, options: &Options, about: &[(&str, String)], results: &[FamilyResult]) -> Result<(), Error> {
     std::fs::write(output.join("stiff.html"), page(options, about, results)?.into_string())?;
     let json = serde_json::json!({
         "command": options.command(), "form": options.form(), "machine": machine(), "implementations": about, "families": results,

@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use super::run::{Outcome, Result_};
+use super::run::{FamilyResult, Outcome};
 
 /// Colour and name of an implementation's curve.
 pub fn style(implementation: &str) -> (RGBColor, &'static str) {
@@ -45,7 +45,7 @@ pub fn short(v: f64) -> String {
 }
 
 /// The plot as an SVG element, or nothing where no value is defined or all lie on the floor.
-pub fn draw(result: &Result_, plot: &Plot) -> Result<Option<String>, String> {
+pub fn draw(result: &FamilyResult, plot: &Plot) -> Result<Option<String>, String> {
     let curve = |implementation: &str| -> Vec<(f64, f64)> {
         let at = |(i, step): (usize, &super::run::Step)| {
             let outcome = step.outcomes.iter().find(|o| o.implementation == implementation)?;

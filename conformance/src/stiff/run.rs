@@ -120,7 +120,7 @@ pub struct Step {
 
 /// One family's results.
 #[derive(Clone, Debug, Serialize)]
-pub struct Result_ {
+pub struct FamilyResult {
     /// Its name.
     pub family: &'static str,
     /// What is hard about it.
@@ -266,7 +266,7 @@ pub fn main(options: &Options) -> Result<bool, Error> {
             std::io::stdout().flush()?;
             steps.push(step);
         }
-        results.push(Result_ { family: family.name, about: family.about, knob: family.knob, steps });
+        results.push(FamilyResult { family: family.name, about: family.about, knob: family.knob, steps });
     }
     let about =
         session.runners.iter_mut().map(|r| (r.label, r.request("about").map_or_else(|why| why, |l| l.join(" ")))).collect::<Vec<_>>();
