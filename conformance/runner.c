@@ -9,10 +9,15 @@
  *   open <scene>          makes the context of a timing
  *   frame                 draws once more in it and prints "ms <milliseconds>", drawing and glFinish
  *   close                 ends it
+ *   play <frames> <recording> <prefix>  like run for a recording (play.h), every frame timed: "ms <milliseconds>" each, then
+ *                         "kib <peak memory of the process>"
+ * RUNNER_MEMORY_MIB bounds the address space: what wants more fails here and not on the whole machine.
  * Called with `--first-frame`, it draws one lit triangle and exits: the time to the first frame is the process's. */
+#include "play.h"
 #include "scene.h"
 #include <GL/osmesa.h>
 #include <stdarg.h>
+#include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -55,6 +60,7 @@ static const char *target_open(struct target *t, const struct scene *s)
     t->width = s->width;
     t->height = s->height;
     t->depth_bits = s->flags & DEPTH16 ? 16 : 24;
+    if (s->width < 1 || s->height < 1) return "a target has at least one pixel";
     t->color = calloc((size_t)s->width * s->height, 4);
     t->context = OSMesaCreateContextExt(OSMESA_RGBA, t->depth_bits, 8, s->flags & ACCUM ? 16 : 0, NULL);
     if (!t->context) return "no context";
@@ -101,10 +107,34 @@ static int dump(const char *prefix, const char *suffix, const void *data, size_t
     return fclose(f) == 0 && written == size;
 }
 
+/* Reads everything back from a target that `s` was drawn to, and writes the files. */
+static const char *write_results(const struct target *t, const struct scene *s, const char *prefix)
+{
+    char meta[512];
+    GLenum error = glGetError();
+    size_t n = (size_t)s->width * s->height;
+    GLuint *depth = calloc(n, 4);
+    unsigned char *stencil = calloc(n, 1);
+    plain_reads();
+    glReadPixels(0, 0, s->width, s->height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth);
+    for (size_t i = 0; i < n; i++) depth[i] >>= 32 - t->depth_bits;
+    glReadPixels(0, 0, s->width, s->height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencil);
+    GLfloat c[4] = {0}, z = 1;
+    glGetFloatv(GL_COLOR_CLEAR_VALUE, c);
+    glGetFloatv(GL_DEPTH_CLEAR_VALUE, &z);
+    snprintf(meta, sizeof meta, "%d %d %d %.9g %.9g %.9g %.9g %.9g %s\n", s->width, s->height, t->depth_bits, c[0], c[1], c[2], c[3], z,
+             error_name(error));
+    int ok = dump(prefix, "color", t->color, n * 4) && dump(prefix, "depth", depth, n * 4) && dump(prefix, "stencil", stencil, n) &&
+             dump(prefix, "meta", meta, strlen(meta));
+    free(depth);
+    free(stencil);
+    return ok ? NULL : "cannot write the results";
+}
+
 static const char *run(const struct scene *s, const char *prefix)
 {
     struct target t = {0};
-    char path[4096], meta[512];
+    char path[4096];
     const char *why = target_open(&t, s);
     if (why) return why;
     snprintf(path, sizeof path, "%s.text", prefix);
@@ -112,25 +142,42 @@ static const char *run(const struct scene *s, const char *prefix)
     draw_once(s);
     if (text_file) fclose(text_file);
     text_file = NULL;
-    GLenum error = glGetError();
-    size_t n = (size_t)s->width * s->height;
-    GLuint *depth = calloc(n, 4);
-    unsigned char *stencil = calloc(n, 1);
-    plain_reads();
-    glReadPixels(0, 0, s->width, s->height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth);
-    for (size_t i = 0; i < n; i++) depth[i] >>= 32 - t.depth_bits;
-    glReadPixels(0, 0, s->width, s->height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencil);
-    GLfloat c[4] = {0}, z = 1;
-    glGetFloatv(GL_COLOR_CLEAR_VALUE, c);
-    glGetFloatv(GL_DEPTH_CLEAR_VALUE, &z);
-    snprintf(meta, sizeof meta, "%d %d %d %.9g %.9g %.9g %.9g %.9g %s\n", s->width, s->height, t.depth_bits, c[0], c[1], c[2], c[3], z,
-             error_name(error));
-    int ok = dump(prefix, "color", t.color, n * 4) && dump(prefix, "depth", depth, n * 4) && dump(prefix, "stencil", stencil, n) &&
-             dump(prefix, "meta", meta, strlen(meta));
-    free(depth);
-    free(stencil);
+    why = write_results(&t, s, prefix);
     target_close(&t);
-    return ok ? NULL : "cannot write the results";
+    return why;
+}
+
+static struct recording recording;
+static const char *play_error;
+
+static void draw_recording(int width, int height)
+{
+    UNUSED_SIZE;
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    play_error = recording_play(&recording);
+    glPopAttrib();
+}
+
+static const char *play(int frames, const char *path, const char *prefix)
+{
+    struct target t = {0};
+    const char *why = recording_load(&recording, path);
+    struct scene s = {.name = "recording", .width = recording.width, .height = recording.height,
+                      .flags = recording.depth_bits == 16 ? DEPTH16 : 0, .draw = draw_recording};
+    if (!why) why = target_open(&t, &s);
+    if (!why && !dump(prefix, "text", "", 0)) why = "cannot write the results";
+    for (int i = 0; i < frames && !why; i++) {
+        double start = milliseconds();
+        draw_once(&s);
+        printf("ms %.6f\n", milliseconds() - start);
+        why = play_error;
+        if (!why && i == 0) why = write_results(&t, &s, prefix);
+    }
+    target_close(&t);
+    recording_free(&recording);
+    struct rusage usage;
+    if (!getrusage(RUSAGE_SELF, &usage)) printf("kib %ld\n", usage.ru_maxrss);
+    return why;
 }
 
 static const struct scene *find(const char *name)
@@ -177,8 +224,15 @@ int main(int argc, char **argv)
     struct target open_target = {0};
     const struct scene *open_scene = NULL;
     if (argc > 1 && !strcmp(argv[1], "--first-frame")) return first_frame();
+    const char *memory = getenv("RUNNER_MEMORY_MIB");
+    if (memory) {
+        rlim_t bytes = (rlim_t)strtoull(memory, NULL, 10) << 20;
+        struct rlimit limit = {bytes, bytes};
+        if (setrlimit(RLIMIT_AS, &limit)) return 3;
+    }
     while (fgets(line, sizeof line, stdin)) {
-        char *command = strtok(line, " \n"), *name = strtok(NULL, " \n"), *prefix = strtok(NULL, "\n");
+        char *command = strtok(line, " \n"), *name = strtok(NULL, " \n");
+        char *file = command && !strcmp(command, "play") ? strtok(NULL, " \n") : NULL, *prefix = strtok(NULL, "\n");
         const struct scene *s = name ? find(name) : NULL;
         const char *why = NULL;
         if (!command) continue;
@@ -190,6 +244,8 @@ int main(int argc, char **argv)
             why = about();
         } else if (!strcmp(command, "run")) {
             why = !s ? "no such scene" : !prefix ? "no prefix" : run(s, prefix);
+        } else if (!strcmp(command, "play")) {
+            why = !prefix ? "play <frames> <recording> <prefix>" : play(atoi(name), file, prefix);
         } else if (!strcmp(command, "open")) {
             if (open_scene) target_close(&open_target);
             open_scene = s;

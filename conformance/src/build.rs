@@ -56,7 +56,7 @@ fn link_library(library: &Path) -> Result<(), Error> {
 
 fn sources() -> Result<Vec<PathBuf>, Error> {
     let dir = root().join("conformance");
-    let mut files = vec![dir.join("runner.c"), dir.join("scene.c")];
+    let mut files = vec![dir.join("runner.c"), dir.join("scene.c"), dir.join("play.c")];
     let mut scenes: Vec<PathBuf> = std::fs::read_dir(dir.join("scenes"))?.filter_map(|e| e.ok().map(|e| e.path())).collect();
     scenes.retain(|p| p.extension().is_some_and(|e| e == "c"));
     scenes.sort();
@@ -74,7 +74,10 @@ pub fn build_runner(implementation: Implementation) -> Result<PathBuf, Error> {
     let binary = work_dir().join(name);
     std::fs::create_dir_all(&objects)?;
     let age = |p: &Path| std::fs::metadata(p).and_then(|m| m.modified()).ok();
-    let shared = [root().join("conformance/scene.h"), root().join("include/GL/gl.h")].iter().filter_map(|p| age(p)).max();
+    let shared = [root().join("conformance/scene.h"), root().join("conformance/play.h"), root().join("include/GL/gl.h")]
+        .iter()
+        .filter_map(|p| age(p))
+        .max();
     let mut compiled = Vec::new();
     let mut stale = false;
     for source in sources()? {

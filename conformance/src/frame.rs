@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::flip::mean_flip;
 
 /// The result of a scene: pixels bottom row first.
+#[derive(Clone)]
 pub struct Frame {
     /// Columns.
     pub width: usize,
@@ -25,6 +26,13 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// A black image with this stencil buffer.
+    #[cfg(test)]
+    pub fn of_stencil(width: usize, stencil: Vec<u8>) -> Frame {
+        let (color, depth) = (vec![0; stencil.len() * 4], vec![0; stencil.len()]);
+        Frame { width, color, depth, stencil, text: Vec::new(), error: String::new(), background: ([0; 4], 0) }
+    }
+
     /// Reads the files that the runner wrote under `prefix`.
     pub fn read(prefix: &Path) -> Result<Frame, String> {
         let file = |suffix: &str| {

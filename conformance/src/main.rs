@@ -9,11 +9,16 @@ mod compare;
 mod expectations;
 mod flip;
 mod frame;
+mod machine;
+mod oracle;
 mod order;
+mod precision;
 mod raster;
+mod recording;
 mod report;
 mod runner;
 mod start;
+mod stiff;
 mod timing;
 
 use std::process::ExitCode;
@@ -65,6 +70,10 @@ enum Command {
     Raster(raster::Options),
     /// Time from process start to the first frame.
     Start(start::Options),
+    /// Stiff and extreme cases against an exact oracle; writes report/stiff.html and report/stiff.json.
+    Stiff(stiff::Options),
+    /// Error against run time; writes report/precision.html and report/precision.json.
+    Precision(precision::Options),
 }
 
 fn main() -> ExitCode {
@@ -75,6 +84,8 @@ fn main() -> ExitCode {
         Command::Clients(options) => clients::main(&options),
         Command::Raster(options) => raster::main(&options),
         Command::Start(options) => start::main(&options),
+        Command::Stiff(options) => stiff::main(&options),
+        Command::Precision(options) => precision::main(&options),
     };
     match outcome {
         Ok(true) => ExitCode::SUCCESS,

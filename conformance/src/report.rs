@@ -10,7 +10,8 @@ use crate::expectations::Verdict;
 use crate::frame::Difference;
 use crate::timing::Times;
 
-const STYLE: &str = "
+/// The style sheet of all reports.
+pub const STYLE: &str = "
 body { font: 14px/1.4 system-ui, sans-serif; margin: 2em; color: #222; background: #fafafa }
 table { border-collapse: collapse } td, th { padding: .15em .7em; text-align: right; border-bottom: 1px solid #ddd }
 td:first-child, th:first-child { text-align: left }

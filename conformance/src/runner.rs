@@ -41,6 +41,7 @@ pub struct Runner {
     environment: Vec<(String, String)>,
     log: PathBuf,
     process: Option<Process>,
+    patience: Duration,
 }
 
 impl Runner {
@@ -48,7 +49,19 @@ impl Runner {
     pub fn new(label: &'static str, binary: &Path, environment: &[(&str, &str)], log: PathBuf) -> Runner {
         let environment = environment.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())).collect();
         let _ = std::fs::remove_file(&log);
-        Runner { label, binary: binary.to_owned(), environment, log, process: None }
+        Runner { label, binary: binary.to_owned(), environment, log, process: None, patience: PATIENCE }
+    }
+
+    /// The same runner with another limit for one request.
+    pub fn patient(mut self, patience: Duration) -> Runner {
+        self.patience = patience;
+        self
+    }
+
+    /// The same runner with more environment.
+    pub fn with(mut self, environment: &[(&str, &str)]) -> Runner {
+        self.environment.extend(environment.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())));
+        self
     }
 
     /// The command with its environment, before any argument.
@@ -84,12 +97,13 @@ impl Runner {
 
     /// Sends a command and returns the lines of its answer, or why there is none (the scene's error, a crash, a hang).
     pub fn request(&mut self, command: &str) -> Result<Vec<String>, String> {
+        let patience = self.patience;
         let process = self.start()?;
         let sent = writeln!(process.input, "{command}").and_then(|()| process.input.flush());
         let mut answer = Vec::new();
         if sent.is_ok() {
             loop {
-                match process.lines.recv_timeout(PATIENCE) {
+                match process.lines.recv_timeout(patience) {
                     Ok(line) if line == "done" => return Ok(answer),
                     Ok(line) => match line.strip_prefix("error ") {
                         Some(why) => return Err(why.to_owned()),
@@ -97,7 +111,7 @@ impl Runner {
                     },
                     Err(RecvTimeoutError::Timeout) => {
                         self.stop();
-                        return Err(format!("no answer in {} s", PATIENCE.as_secs()));
+                        return Err(format!("no answer in {} s", patience.as_secs()));
                     }
                     Err(RecvTimeoutError::Disconnected) => break,
                 }

@@ -15,7 +15,8 @@ pub struct Times {
     pub ratio: Option<f64>,
 }
 
-fn quantile(values: &mut [f64], q: f64) -> f64 {
+/// The value below which a share `q` of the values lies.
+pub fn quantile(values: &mut [f64], q: f64) -> f64 {
     values.sort_by(f64::total_cmp);
     values[((values.len() - 1) as f64 * q).round() as usize]
 }

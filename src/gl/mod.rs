@@ -50,6 +50,8 @@ pub mod pixel_store;
 pub mod pixel_transfer;
 pub mod points_lines_polygons;
 pub mod polygon_stipple;
+#[cfg(test)]
+mod property_tests;
 pub mod query;
 pub mod query_table;
 pub mod raster_position;

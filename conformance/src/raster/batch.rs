@@ -97,8 +97,15 @@ pub fn batch(scene: &Scene) -> Result<Batch, String> {
         batch.shaded_vec4 += 2 * count;
         let first_primitive = batch.primitives.len() as u32;
         let flags = k | PRIM_EDGE_01 | PRIM_EDGE_12 | PRIM_EDGE_20;
-        batch.primitives.extend(indices.chunks(3).map(|i| Primitive { v: [i[0] - first, i[1] - first, i[2] - first], draw_and_flags: flags }));
-        batch.draws.push(Draw { record, first_primitive, vertex_program: vertex_program.clone(), fragment_program: fragment_program.clone() });
+        batch
+            .primitives
+            .extend(indices.chunks(3).map(|i| Primitive { v: [i[0] - first, i[1] - first, i[2] - first], draw_and_flags: flags }));
+        batch.draws.push(Draw {
+            record,
+            first_primitive,
+            vertex_program: vertex_program.clone(),
+            fragment_program: fragment_program.clone(),
+        });
     }
     batch.steps.push(Step::Primitives { first: 0, end: batch.primitives.len() as u32 });
     Ok(batch)

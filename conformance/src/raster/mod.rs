@@ -105,14 +105,24 @@ pub fn main(options: &Options) -> Result<bool, Error> {
                 cpu.execute(batch.clone());
                 difference(cpu.pixels(), surface.pixels())
             });
-            println!("S{id} {:>4}x{:<4} {:8.3} {:8.3} {:8.3}  {:7.0} Mtri/s", size[0], size[1], ms[0], ms[1], ms[2], scene.triangles() as f64 / ms[1] / 1e3);
+            println!(
+                "S{id} {:>4}x{:<4} {:8.3} {:8.3} {:8.3}  {:7.0} Mtri/s",
+                size[0],
+                size[1],
+                ms[0],
+                ms[1],
+                ms[2],
+                scene.triangles() as f64 / ms[1] / 1e3
+            );
             let text: Vec<String> = stages.iter().map(|(name, ms)| format!("{name} {ms:.3}")).collect();
             println!("   {}", text.join(", "));
             let total: f64 = memory.iter().map(|m| m.1).sum();
             let text: Vec<String> = memory.iter().filter(|m| m.1 >= 1.0).map(|(name, mib)| format!("{name} {mib:.0}")).collect();
             println!("   MiB {total:.0}: {}", text.join(", "));
             if let Some([coverage, pixels, most, depth]) = against_cpu {
-                println!("   against the CPU executor: {coverage} pixels of coverage, {pixels} of colour by up to {most}, depth by up to {depth}");
+                println!(
+                    "   against the CPU executor: {coverage} pixels of coverage, {pixels} of colour by up to {most}, depth by up to {depth}"
+                );
                 good &= coverage == 0 && most <= 1 && depth <= 1;
             }
             std::io::stdout().flush()?;

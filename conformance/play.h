@@ -1,0 +1,27 @@
+/* Plays generated recordings: GL state and vertices that conformance/src/recording.rs wrote to a file, so that every
+ * implementation is given exactly the same numbers, bit for bit.
+ *
+ * A recording is lines of text. The first is `target <width> <height> <depth bits>`; every other one is a command of the
+ * table in play.c and its arguments: integers in decimal, floats as the eight hexadecimal digits of their bits after an x.
+ * `draw` and `texture` are followed by raw data, which starts at a multiple of four bytes. */
+#ifndef TEPUI_PLAY_H
+#define TEPUI_PLAY_H
+
+#include <stddef.h>
+
+struct recording {
+    char *data;
+    size_t size;
+    size_t body; /* where the lines after the first begin */
+    int width, height, depth_bits;
+};
+
+/* Reads a recording; NULL, or why it cannot be played. */
+const char *recording_load(struct recording *r, const char *path);
+
+/* Plays it in the current context; NULL, or the command that it does not know. */
+const char *recording_play(const struct recording *r);
+
+void recording_free(struct recording *r);
+
+#endif

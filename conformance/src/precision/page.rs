@@ -1,0 +1,101 @@
+//! Writes report/precision.html, which opens without a network, and report/precision.json.
+
+use std::path::Path;
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use super::leaving_out::Table;
+use super::plot::{draw, style};
+use super::{Diagram, Options, Point};
+use crate::Error;
+use crate::machine::machine;
+use crate::report::STYLE;
+
+fn cells(point: &Point) -> Markup {
+    match &point.failure {
+        Some(why) => html! { td.fail colspan="5" { (why) } },
+        None => {
+            let [low, median, high] = point.milliseconds;
+            html! {
+                td { (format!("{:.3}", point.rms)) } td { (point.max) } td { (format!("{:.5}", point.flip)) }
+                td { (format!("{median:.3}")) } td { (format!("{low:.3} – {high:.3}")) }
+            }
+        }
+    }
+}
+
+fn section(diagram: &Diagram) -> Result<Markup, Error> {
+    let plot = draw(diagram)?;
+    Ok(html! {
+        section id=(diagram.scene) {
+            h3 { (diagram.scene) }
+            p { (diagram.about) }
+            figure { (PreEscaped(plot)) }
+            table {
+                tr { th { (diagram.knob) } th { "method" } th { "RMS, 1/255" } th { "max, 1/255" } th { "FLIP" } th { "ms, median" } th { "quartiles" } }
+                @for k in 0..diagram.curves.first().map_or(0, |c| c.points.len()) {
+                    @for curve in &diagram.curves { tr { td { (curve.points[k].setting) } td { (style(curve.method).1) } (cells(&curve.points[k])) } }
+                }
+            }
+        }
+    })
+}
+
+fn left_out(table: &Table) -> Markup {
+    let base = &table.costs[0].milliseconds;
+    html! {
+        h3 { (table.scene) }
+        table {
+            tr {
+                th { "forced on" }
+                @for method in &table.methods { th { (style(method).1) ", ms" } th { "by nothing" } }
+                th { "pixels changed" } th style="text-align: left" { "CPU executor: built, left out" }
+            }
+            @for cost in &table.costs {
+                tr {
+                    td { (cost.feature) }
+                    @for (ms, base) in cost.milliseconds.iter().zip(base) { td { (format!("{ms:.2}")) } td { (format!("{:.2}", ms / base)) } }
+                    td { (cost.changed.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")) }
+                    td.small style="text-align: left" { @for line in &cost.built { (line) br; } }
+                }
+            }
+        }
+    }
+}
+
+/// Writes both files into `output`.
+pub fn write(output: &Path, options: &Options, about: &[(&str, String)], diagrams: &[Diagram], tables: &[Table]) -> Result<(), Error> {
+    let sections = diagrams.iter().map(section).collect::<Result<Vec<_>, _>>()?;
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head { meta charset="utf-8"; title { "Tepui: error against run time" } style { (PreEscaped(STYLE)) } }
+            body {
+                h1 { "Error against run time" }
+                p { "The same errors again: " code { (options.command()) } }
+                ul {
+                    @for (name, value) in machine() { li { b { (name) } ": " (value) } }
+                    @for (label, strings) in about { li { b { (style(label).1) } ": " (strings) } }
+                }
+                p.small {
+                    "Each point is one setting on one method: left is faster, down is more exact. Errors are of the colours against the scene's reference; those up to 0.01 are drawn at 0.01. "
+                    "Times are of whole frames, drawing and glFinish, all methods in turn; the first frame of a context is left out. They drift with the machine: read one diagram's points beside each other. "
+                    "Settings that do not exist yet, and so are not here: samples a pixel (there is no multisampling), and a choice of precision of the interpolation."
+                }
+                @for s in &sections { (s) }
+                section id="leaving_out" {
+                    h2 { "What is left out, and what it would cost" }
+                    p {
+                        "Each feature is forced on in a state that changes no pixel. \"By nothing\" is the time by that of the scene without any. "
+                        "The last column is what the CPU executor says of the batch (TEPUI_STATS=1)."
+                    }
+                    @for t in tables { (left_out(t)) }
+                }
+            }
+        }
+    };
+    std::fs::write(output.join("precision.html"), page.into_string())?;
+    let json = serde_json::json!({ "command": options.command(), "machine": machine(), "implementations": about, "diagrams": diagrams, "leaving_out": tables });
+    std::fs::write(output.join("precision.json"), serde_json::to_string_pretty(&json)?)?;
+    Ok(())
+}

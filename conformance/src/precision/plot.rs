@@ -1,0 +1,79 @@
+//! A work-precision diagram: log error over log time, one curve a method.
+
+use plotters::prelude::*;
+
+use super::{Diagram, Point};
+use crate::stiff::plots::short;
+
+/// Errors up to this, in 1/255, are drawn on the floor.
+const FLOOR: f64 = 0.01;
+
+/// Colour and name of a method's curve.
+pub fn style(method: &str) -> (RGBColor, &'static str) {
+    match method {
+        "osmesa" => (RGBColor(230, 130, 60), "OSMesa"),
+        "scalar" => (RGBColor(150, 90, 170), "Tepui, CPU scalar"),
+        "cpu" => (RGBColor(30, 90, 180), "Tepui, CPU AVX2"),
+        _ => (RGBColor(20, 140, 70), "Tepui, kernels"),
+    }
+}
+
+/// The diagram as an SVG element, the settings written beside the points of the first curve.
+pub fn draw(diagram: &Diagram) -> Result<String, String> {
+    let drawn = |points: &[Point]| -> Vec<(f64, f64, f64, f64, String)> {
+        let good = points.iter().filter(|p| p.failure.is_none());
+        good.map(|p| {
+            let [low, median, high] = p.milliseconds.map(f64::log10);
+            (median, p.rms.max(FLOOR).log10(), low, high, p.setting.clone())
+        })
+        .collect()
+    };
+    let all: Vec<_> = diagram.curves.iter().flat_map(|c| drawn(&c.points)).collect();
+    let range = |values: &mut dyn Iterator<Item = f64>| values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+    let (left, right) = range(&mut all.iter().flat_map(|p| [p.2, p.3]));
+    let (bottom, top) = range(&mut all.iter().map(|p| p.1));
+    if all.is_empty() {
+        return Err(format!("{}: no method drew anything", diagram.scene));
+    }
+    let mut svg = String::new();
+    {
+        let area = SVGBackend::with_string(&mut svg, (760, 460)).into_drawing_area();
+        let failed = |e: DrawingAreaErrorKind<_>| format!("the diagram of {}: {e}", diagram.scene);
+        area.fill(&WHITE).map_err(failed)?;
+        let margin = 0.15 * (top - bottom).max(0.2);
+        let mut chart = ChartBuilder::on(&area)
+            .margin(12)
+            .x_label_area_size(44)
+            .y_label_area_size(64)
+            .build_cartesian_2d(left - 0.1..right + 0.35, bottom - margin..top + 2.5 * margin)
+            .map_err(failed)?;
+        let power = |v: &f64| short(10f64.powf(*v));
+        let mut mesh = chart.configure_mesh();
+        mesh.x_desc("milliseconds a frame (median and quartiles), log").y_desc("RMS error, 1/255, log");
+        mesh.x_label_formatter(&power).y_label_formatter(&power).x_labels(8).y_labels(8);
+        mesh.light_line_style(WHITE).label_style(("sans-serif", 11)).draw().map_err(failed)?;
+        for (k, curve) in diagram.curves.iter().enumerate() {
+            let (color, name) = style(curve.method);
+            let points = drawn(&curve.points);
+            chart
+                .draw_series(LineSeries::new(points.iter().map(|p| (p.0, p.1)), color.stroke_width(2)).point_size(3))
+                .map_err(failed)?
+                .label(name)
+                .legend(move |(x, y)| PathElement::new([(x, y), (x + 16, y)], color.stroke_width(2)));
+            chart.draw_series(points.iter().map(|p| PathElement::new([(p.2, p.1), (p.3, p.1)], color.mix(0.5)))).map_err(failed)?;
+            if k == 0 {
+                let label = |p: &(f64, f64, f64, f64, String)| Text::new(p.4.clone(), (p.0 + 0.01, p.1), ("sans-serif", 10));
+                chart.draw_series(points.iter().map(label)).map_err(failed)?;
+            }
+        }
+        chart
+            .configure_series_labels()
+            .position(SeriesLabelPosition::UpperRight)
+            .background_style(WHITE.mix(0.8))
+            .label_font(("sans-serif", 11))
+            .draw()
+            .map_err(failed)?;
+        area.present().map_err(failed)?;
+    }
+    Ok(svg)
+}

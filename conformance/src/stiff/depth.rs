@@ -1,0 +1,102 @@
+//! Families about depth: ranges that leave the buffer few units, and layers in one plane.
+
+use super::common::{Random, cover, triangles};
+use super::{Case, Family, Score};
+use crate::frame::Frame;
+use crate::recording::{Recording, Vertex, View, gl, has};
+
+const SIDE: usize = 256;
+
+/// The families.
+pub fn families() -> Vec<Family> {
+    vec![
+        Family {
+            name: "depth_range_24",
+            about: "30 triangles whose corners lie between the near and the far plane, evenly in the logarithm; 24 bits of depth. Depth and perspective-correct colour.",
+            knob: "far : near",
+            severities: &[1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
+            inside: |_| true,
+            make: |severity, seed| vec![range(severity, seed, 24)],
+        },
+        Family {
+            name: "depth_range_16",
+            about: "The same with 16 bits of depth.",
+            knob: "far : near",
+            severities: &[1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
+            inside: |_| true,
+            make: |severity, seed| vec![range(severity, seed, 16)],
+        },
+        Family {
+            name: "coplanar_same",
+            about: "Twelve layers of the same four triangles, depth function LEQUAL: the last layer is seen everywhere, however steep the plane.",
+            knob: "slope, depth units a pixel",
+            severities: &[0.0, 1.0, 256.0, 16384.0, 60000.0],
+            inside: |_| true,
+            make: |severity, seed| vec![layers(severity, seed, false)],
+        },
+        Family {
+            name: "coplanar_offset",
+            about: "Twelve layers of one plane, each cut into triangles at another point, glPolygonOffset(-k, -4k), depth function LESS: the last layer is seen everywhere.",
+            knob: "slope, depth units a pixel",
+            severities: &[0.0, 1.0, 256.0, 4096.0],
+            inside: |_| true,
+            make: |severity, seed| vec![layers(severity, seed, true)],
+        },
+    ]
+}
+
+fn range(severity: f64, seed: u64, depth_bits: u32) -> Case {
+    let mut random = Random::new("depth_range", severity, seed);
+    let (near, far) = (1.0f64, severity);
+    let view = View::perspective(SIDE, SIDE, near as f32, far as f32);
+    let vertices = (0..90)
+        .map(|_| {
+            // Kept off the planes by a tenth of a percent, so that rounding clips nothing.
+            let z = near * (far / near).powf(random.uniform(0.001, 0.999)) as f32 as f64;
+            let (x, y) = (random.uniform(-0.95, 0.95) * z, random.uniform(-0.95, 0.95) * z);
+            Vertex::new(x as f32, y as f32, -z as f32).colored(random.color())
+        })
+        .collect();
+    triangles(view, SIDE, SIDE, depth_bits, vertices)
+}
+
+const LAYERS: usize = 12;
+
+fn layers(slope: f64, seed: u64, offset: bool) -> Case {
+    let mut random = Random::new("coplanar", slope, seed);
+    let view = View::pixels(SIDE, SIDE);
+    // Object z for a depth in units of 2^-24: the view maps -1..1 to 1..0. The plane runs along x; offsets move it towards the eye.
+    let angle: f64 = random.uniform(0.0, 1.57);
+    let z = |x: f64, y: f64| (1.0 - 2.0 * (0.5 + slope * ((x - 128.0) * angle.cos() + (y - 128.0) * angle.sin()) / 16777216.0)) as f32;
+    let mut recording = Recording::new(SIDE, SIDE, 24);
+    recording.view(&view).count_hits().enable(gl::DEPTH_TEST);
+    recording.call("depth_func", &[if offset { gl::LESS } else { gl::LEQUAL }.into()], &[]);
+    if offset {
+        recording.enable(gl::POLYGON_OFFSET_FILL);
+    }
+    let corners = [[16.0, 16.0], [240.0, 16.0], [240.0, 240.0], [16.0, 240.0]];
+    let mut middle = [128.0, 128.0];
+    let mut last = Vec::new();
+    for layer in 0..LAYERS {
+        if offset || layer == 0 {
+            middle = [0, 1].map(|_| random.uniform(60.0, 200.0));
+        }
+        // The exact depths of a plane are not single-precision numbers: corners are rounded to them, as a program's are.
+        let vertex = |[x, y]: [f64; 2]| Vertex::new(x as f32, y as f32, z(x, y));
+        last = (0..4).flat_map(|k| [corners[k], corners[(k + 1) % 4], middle].map(vertex)).collect::<Vec<_>>();
+        recording.call("polygon_offset", &[], &[-(layer as f32), -4.0 * layer as f32]);
+        recording.call("color", &[], &[layer as f32 / 255.0, 0.0, 1.0, 1.0]).draw(gl::TRIANGLES, has::POSITION, &last);
+    }
+    let judge = move |frame: &Frame| {
+        let coverage = cover(&view, SIDE, SIDE, &last, |_, _| true);
+        let mut score = Score::default();
+        score.counts.samples = frame.stencil.len() as u64;
+        for (pixel, _) in coverage.owned() {
+            score.counts.must += 1;
+            score.counts.wrong += u64::from(frame.color[pixel * 4] != (LAYERS - 1) as u8);
+        }
+        score.counts.beyond = score.counts.wrong;
+        score
+    };
+    Case { recording, judge: Box::new(judge) }
+}
