@@ -10,7 +10,8 @@ mkdir -p target
 
 cargo test --release --workspace --no-fail-fast -- --format pretty 2>&1 | tee -a "$log"
 status=${PIPESTATUS[0]}
-cargo run --release --quiet -p tepui-conformance -- compare --device both --frames 3 2>&1 | tee -a "$log"
+# On a software Vulkan driver the host would set triangles up; here the kernels do, from the vertices on.
+TEPUI_GPU_FRONT=kernels cargo run --release --quiet -p tepui-conformance -- compare --device both --frames 1 2>&1 | tee -a "$log"
 cargo run --release --quiet -p tepui-conformance -- stiff 2>&1 | tee -a "$log"
 cargo run --release --quiet -p tepui-conformance -- precision 2>&1 | tee -a "$log"
 

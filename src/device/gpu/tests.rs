@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use bytemuck::Zeroable;
 
-use super::GpuDevice;
+use super::{Config, GpuDevice};
 use crate::device::cpu::CpuDevice;
 use crate::device::{ColorFormat, DepthFormat, Device, Pixels, SurfaceFormat};
 use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
@@ -165,14 +165,44 @@ fn run(device: &dyn Device, batch: &Batch, size: [u32; 2], format: SurfaceFormat
     surface.pixels().clone()
 }
 
+/// The kernels from vertices on, as a GPU runs them.
+fn kernels() -> Result<GpuDevice, String> {
+    GpuDevice::with(|config| config.shape.host_front = false)
+}
+
+/// Every way in which the kernels are put together: who sets up, lists or keys, wide and narrow workgroups, buffers that are too small.
+fn all_ways() -> Vec<(&'static str, Result<GpuDevice, String>)> {
+    let with = |change: fn(&mut Config)| {
+        GpuDevice::with(|config| {
+            config.shape.host_front = false;
+            config.visible_from = u32::MAX;
+            change(config);
+        })
+    };
+    vec![
+        ("set up by the host", with(|c| c.shape.host_front = true)),
+        ("lists", with(|_| ())),
+        ("keys", with(|c| c.visible_from = 1)),
+        ("keys in little memory", with(|c| (c.visible_from, c.buffer_limit) = (1, 60_000))),
+        ("lists in little memory", with(|c| c.buffer_limit = 30_000)),
+        ("32 lanes, no subgroups", with(|c| (c.shape.fine_lanes, c.shape.list_lanes, c.shape.subgroup8) = (32, 64, false))),
+        ("64 lanes, no subgroups", with(|c| (c.shape.fine_lanes, c.shape.list_lanes, c.shape.subgroup8) = (64, 64, false))),
+        ("8 lanes, no subgroups", with(|c| c.shape.subgroup8 = false)),
+    ]
+}
+
 /// The executors' differences: pixels whose depth differs by more than one unit, whose stencil differs, and the greatest difference of a colour byte.
 fn compare_executors(batch: &Batch, size: [u32; 2], format: SurfaceFormat) {
-    let Ok(gpu) = GpuDevice::new() else {
+    let Ok(gpu) = kernels() else {
         // No Vulkan at all: nothing to compare. CI has lavapipe.
         return;
     };
+    compare_with(&gpu, batch, size, format);
+}
+
+fn compare_with(gpu: &GpuDevice, batch: &Batch, size: [u32; 2], format: SurfaceFormat) {
     let a = run(&CpuDevice::new(), batch, size, format);
-    let b = run(&gpu, batch, size, format);
+    let b = run(gpu, batch, size, format);
     for (k, (x, y)) in a.depth_stencil.iter().zip(&b.depth_stencil).enumerate() {
         let at = [k as u32 % size[0], k as u32 / size[0]];
         assert_eq!(x >> 24, y >> 24, "stencil at {at:?}");
@@ -196,10 +226,48 @@ fn triangles_of_all_sizes_agree_in_every_pixel() {
     let mut builder = Builder::new(size[0], size[1]);
     let depth = FragmentState { flags: fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE, ..fragment_state() };
     for s in [0.01, 0.1, 0.5, 3.0] {
-        let vertices = soup(&mut random, 200, s, false);
+        let vertices = soup(&mut random, 200, s, s > 0.1);
         builder.draw(topology::TRIANGLES, &vertices, 0, depth);
     }
-    compare_executors(&builder.batch, size, FORMAT);
+    for (way, gpu) in all_ways() {
+        let Ok(gpu) = gpu else { return };
+        eprintln!("{way}");
+        compare_with(&gpu, &builder.batch, size, FORMAT);
+    }
+}
+
+#[test]
+fn equal_depths_keep_the_order_of_their_function() {
+    let size = [64, 48];
+    // LESS keeps the first of two equal triangles, LEQUAL the last; half of them are clipped.
+    for (func, way) in [compare::LESS, compare::LEQUAL].into_iter().flat_map(|f| [(f, 1), (f, u32::MAX)]) {
+        let Ok(gpu) = GpuDevice::with(|config| (config.shape.host_front, config.visible_from) = (false, way)) else { return };
+        let mut builder = Builder::new(size[0], size[1]);
+        let state = FragmentState { flags: fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE, depth_func: func, ..fragment_state() };
+        let mut vertices = Vec::new();
+        for k in 0..40 {
+            let far = if k % 2 == 0 { 0.9 } else { 2.5 };
+            let color = k as f32 / 40.0;
+            for p in [[-0.8, -0.7], [far, -0.6], [0.1, 0.8]] {
+                vertices.push([p[0], p[1], 0.25, 1.0, color, 1.0 - color, 0.5, 1.0]);
+            }
+        }
+        builder.draw(topology::TRIANGLES, &vertices, 0, state);
+        compare_with(&gpu, &builder.batch, size, FORMAT);
+    }
+}
+
+#[test]
+fn a_batch_that_does_not_fit_is_drawn_all_the_same() {
+    let size = [256, 256];
+    let mut random = Random(6);
+    let mut builder = Builder::new(size[0], size[1]);
+    let state = FragmentState { flags: fragment_flags::BLEND, ..fragment_state() };
+    // Each touches nearly all bins and many are clipped: more list entries, pool and queue than the first guess.
+    let vertices = soup(&mut random, 3000, 3.0, true);
+    builder.draw(topology::TRIANGLES, &vertices, 0, state);
+    let Ok(gpu) = GpuDevice::with(|config| (config.shape.host_front, config.buffer_limit) = (false, 100_000)) else { return };
+    compare_with(&gpu, &builder.batch, size, FORMAT);
 }
 
 #[test]
@@ -260,7 +328,7 @@ fn draws_of_any_state_in_one_segment_agree() {
 
 #[test]
 fn a_surface_keeps_its_pixels_from_batch_to_batch() {
-    let Ok(gpu) = GpuDevice::new() else { return };
+    let Ok(gpu) = kernels() else { return };
     let size = [100, 70];
     let mut random = Random(4);
     let mut first = Builder::new(size[0], size[1]);
