@@ -298,7 +298,12 @@ impl Planner<'_> {
                     run.segment.key.features |= feature::PERSPECTIVE;
                     let program = &self.batch.draws[run.segment.draw as usize].fragment_program;
                     let many = run.primitives.len() as u32 >= self.visible_from;
-                    if self.shape.keys64 && many && self.room.slice_triangles >= self.visible_from && run.filled && visible::serves(&run.segment.key, program) {
+                    if self.shape.keys64
+                        && many
+                        && self.room.slice_triangles >= self.visible_from
+                        && run.filled
+                        && visible::serves(&run.segment.key, program)
+                    {
                         let (all, most) = (run.primitives.clone(), self.room.slice_triangles.max(1));
                         for first in all.clone().step_by(most as usize) {
                             let primitives = first..all.end.min(first.saturating_add(most));

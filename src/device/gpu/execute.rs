@@ -218,8 +218,11 @@ impl Executor {
         }
         let device = &self.gpu.device;
         let group = |layout: &wgpu::BindGroupLayout, storage: &[&wgpu::Buffer], params: &[u64]| {
-            let mut entries: Vec<_> =
-                storage.iter().enumerate().map(|(k, b)| wgpu::BindGroupEntry { binding: k as u32, resource: b.as_entire_binding() }).collect();
+            let mut entries: Vec<_> = storage
+                .iter()
+                .enumerate()
+                .map(|(k, b)| wgpu::BindGroupEntry { binding: k as u32, resource: b.as_entire_binding() })
+                .collect();
             for &size in params {
                 let buffer = wgpu::BufferBinding { buffer: b.params.get(), offset: 0, size: wgpu::BufferSize::new(size) };
                 entries.push(wgpu::BindGroupEntry { binding: entries.len() as u32, resource: wgpu::BindingResource::Buffer(buffer) });
@@ -251,7 +254,14 @@ impl Executor {
     fn prepare_host(&mut self, batch: &Batch) -> Prepared {
         let Gpu { device, queue, .. } = self.gpu;
         self.host_front.run(batch, self.format.top_first);
-        let planner = Planner { batch, size: self.size, format: self.format, shape: self.kernels.config.shape, room: &self.room, visible_from: self.kernels.config.visible_from };
+        let planner = Planner {
+            batch,
+            size: self.size,
+            format: self.format,
+            shape: self.kernels.config.shape,
+            room: &self.room,
+            visible_from: self.kernels.config.visible_from,
+        };
         let plan = planner.host(&self.host_front, &self.heap);
         let b = &mut self.buffers;
         b.triangles.upload(device, queue, cast_slice(&self.host_front.triangles));
@@ -264,7 +274,14 @@ impl Executor {
     fn prepare_kernels(&mut self, batch: &Batch) -> Prepared {
         let Gpu { device, queue, .. } = self.gpu;
         let mut records = FrontRecords::new(batch);
-        let planner = Planner { batch, size: self.size, format: self.format, shape: self.kernels.config.shape, room: &self.room, visible_from: self.kernels.config.visible_from };
+        let planner = Planner {
+            batch,
+            size: self.size,
+            format: self.format,
+            shape: self.kernels.config.shape,
+            room: &self.room,
+            visible_from: self.kernels.config.visible_from,
+        };
         let (mut plan, tables) = planner.kernels(&self.heap, records.words.len() as u32);
         records.words.extend_from_slice(&tables);
         let segments = (plan.segments.len() as u32).next_multiple_of(4);
@@ -360,7 +377,8 @@ impl Executor {
         self.buffers.uniforms.upload(device, queue, cast_slice(&batch.uniforms));
         // The stipple counter runs from line to line, which the kernels' front end cannot follow.
         let stippled = batch.raster_states.iter().any(|s| s.flags & raster_flags::LINE_STIPPLE != 0);
-        let prepared = if self.kernels.config.shape.host_front || stippled { self.prepare_host(batch) } else { self.prepare_kernels(batch) };
+        let prepared =
+            if self.kernels.config.shape.host_front || stippled { self.prepare_host(batch) } else { self.prepare_kernels(batch) };
         self.bind();
         prepared
     }
@@ -438,8 +456,10 @@ impl Executor {
     /// Bytes of the buffers that grow with a batch, by name.
     pub fn memory(&self) -> Vec<(&'static str, u64)> {
         let b = &self.buffers;
-        let growing = [&b.uniforms, &b.vertices, &b.primitives, &b.front_records, &b.records, &b.shaded, &b.screen, &b.triangles, &b.planes];
-        let growing = growing.into_iter().chain([&b.front, &b.lists, &b.params, &b.indirect, &b.queue]).map(|g| (g.label(), g.get().size()));
+        let growing =
+            [&b.uniforms, &b.vertices, &b.primitives, &b.front_records, &b.records, &b.shaded, &b.screen, &b.triangles, &b.planes];
+        let growing =
+            growing.into_iter().chain([&b.front, &b.lists, &b.params, &b.indirect, &b.queue]).map(|g| (g.label(), g.get().size()));
         growing.chain(b.keys.as_ref().map(|keys| ("keys", keys.size()))).collect()
     }
 

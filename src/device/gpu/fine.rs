@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use super::adapter::Shape;
 use super::glue::{Planes, glue};
-use super::stage::arithmetic_flags;
 use super::source::{Options, expand, files};
+use super::stage::arithmetic_flags;
 use super::texture::{self, TextureClass};
 use crate::device::ColorFormat;
 use crate::program::Program;
@@ -148,7 +148,7 @@ impl FineKey {
             }
             BlendKey::Fixed(f, e) => {
                 options.flag("BLEND_CONSTANT", f.iter().any(|&f| f >= blend_factor::CONSTANT_COLOR));
-let eight_bits = self.color == ColorFormat::Rgba8 && !on(feature::MIXED) && !on(feature::LOGIC_OP);
+                let eight_bits = self.color == ColorFormat::Rgba8 && !on(feature::MIXED) && !on(feature::LOGIC_OP);
                 let over = f == [SRC_ALPHA, ONE_MINUS_SRC_ALPHA, SRC_ALPHA, ONE_MINUS_SRC_ALPHA] && e == [0; 2];
                 // In floats where integers are slower, two bytes at a time elsewhere. Some compilers without fused operations drop
                 // additions that only round, so that the first is not for them.

@@ -120,7 +120,8 @@ impl Slice {
     /// How many more primitives of a draw fit.
     pub fn fits(&mut self, room: &Room, batch: &Batch, draw: usize) -> u32 {
         let [triangles, planes] = self.weigh(batch, draw);
-        let left = (room.slice_triangles.saturating_sub(self.triangles) / triangles).min(room.slice_planes.saturating_sub(self.planes) / planes);
+        let left =
+            (room.slice_triangles.saturating_sub(self.triangles) / triangles).min(room.slice_planes.saturating_sub(self.planes) / planes);
         // An empty slice takes at least one.
         if self.primitives == 0 { left.max(1) } else { left }
     }

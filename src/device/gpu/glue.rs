@@ -215,12 +215,15 @@ fn computed(text: &mut String, needs_z: bool, needs_w: bool, varyings: &[u8]) {
         }
     }
     if needs_z {
-        text.push_str("let p6 = select(0.0, tp_polygon_offset(p.state, va.position, vb.position, vc.position), (p.flags & TP_OFFSET_FILL) != 0u);\n");
+        text.push_str(
+            "let p6 = select(0.0, tp_polygon_offset(p.state, va.position, vb.position, vc.position), (p.flags & TP_OFFSET_FILL) != 0u);\n",
+        );
     }
     for &k in varyings {
         let _ = writeln!(text, "let planes{k} = tp_varying_planes(p, {k}u, front, basis, va, vb, vc);");
         for word in 0..12 {
-            let _ = writeln!(text, "let p{} = planes{k}[{}].{};", varying_word(k) + word, word / 4, ['x', 'y', 'z', 'w'][word as usize % 4]);
+            let _ =
+                writeln!(text, "let p{} = planes{k}[{}].{};", varying_word(k) + word, word / 4, ['x', 'y', 'z', 'w'][word as usize % 4]);
         }
     }
 }

@@ -165,3 +165,102 @@ pub struct FrontParams {
     /// The first triangle of a clipped primitive's fan, in words of the queue, a word a primitive.
     pub map_base: u32,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::device::gpu::source::{File, Options, expand, files};
+
+    /// Names and offsets (bytes) of a kernel's structure, as naga lays it out.
+    fn members(file: File, name: &str) -> Vec<(String, u32)> {
+        let mut options = Options::default();
+        options.flag("VISIBLE", true);
+        // What the files want from elsewhere.
+        let mut source = String::from(
+            "const TP_COORDINATE_MIN = 0.0; const TP_COORDINATE_MAX = 1.0; const TP_STATE_VIEWPORT_SCALE = 0u;
+            const TP_STATE_VIEWPORT_TRANSLATE = 0u; var<private> tp_front_records: array<u32, 4>; var<private> tp: TpParams;\n",
+        );
+        if name != "TpParams" {
+            source = source.replace("var<private> tp: TpParams;", "");
+        }
+        expand(file, &options, &mut source);
+        let module = naga::front::wgsl::parse_str(&source).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&source)));
+        let found = module.types.iter().find(|(_, t)| t.name.as_deref() == Some(name));
+        let Some((_, naga::Type { inner: naga::TypeInner::Struct { members, .. }, .. })) = found else { panic!("no structure {name}") };
+        members.iter().map(|m| (m.name.clone().unwrap_or_default(), m.offset)).collect()
+    }
+
+    macro_rules! offsets {
+        ($record:ty, $($field:ident),* $(,)?) => {
+            vec![$((stringify!($field).to_string(), std::mem::offset_of!($record, $field) as u32)),*]
+        };
+    }
+
+    #[test]
+    fn kernels_see_the_parameters_where_they_are() {
+        let rust = offsets!(
+            Params,
+            size,
+            bins,
+            mask_base,
+            count_base,
+            bin_base,
+            active_base,
+            list_base,
+            tile_base,
+            entry_base,
+            work_base,
+            list_blocks,
+            top_first,
+            draws,
+            segment,
+            zero,
+            depth_max,
+            clear_depth,
+            clear_depth_mask,
+            clear_min,
+            clear_max,
+            clear_color,
+            clear_mask,
+            action,
+            magic
+        );
+        assert_eq!(members(files::COMMON, "TpParams"), rust);
+    }
+
+    #[test]
+    fn kernels_see_the_front_ends_parameters_where_they_are() {
+        let rust = offsets!(
+            FrontParams,
+            groups,
+            group_base,
+            segments,
+            first_segment,
+            segment_base,
+            sums_base,
+            queue_base,
+            queue_capacity,
+            triangle_capacity,
+            plane_capacity,
+            pool_base,
+            pool_capacity,
+            block_base,
+            state_base,
+            bins,
+            bin_rows,
+            list_lanes,
+            top_first,
+            zero,
+            action,
+            vertex_blocks,
+            first_primitive,
+            primitive_count,
+            item_base,
+            item_capacity,
+            fan_base,
+            fan_capacity,
+            map_base
+        );
+        assert_eq!(members(files::FRONT, "TpFront"), rust);
+    }
+}

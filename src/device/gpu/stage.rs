@@ -136,7 +136,12 @@ impl Stage {
         options.flag("SMOOTH", features & front::SMOOTH != 0);
         options.flag("OFFSET", features & front::OFFSET != 0);
         options.flag("RUNS", !wide);
-        let _ = writeln!(extra, "const TP_RUN = {RUN}u;\nconst TP_SUMS = {}u;\nconst TP_EMIT_LANES = {}u;", sums_of_a_group(shape), emit_lanes(shape));
+        let _ = writeln!(
+            extra,
+            "const TP_RUN = {RUN}u;\nconst TP_SUMS = {}u;\nconst TP_EMIT_LANES = {}u;",
+            sums_of_a_group(shape),
+            emit_lanes(shape)
+        );
         let mut source = format!("const TP_LANES = {lanes}u;\n{extra}{constants}");
         let visible = matches!(self, Stage::Visible(..));
         for (file, wanted) in [(files::COMMON, !self.is_front()), (files::FRONT, self.is_front() || visible), (files::VISIBLE, visible)] {
@@ -189,7 +194,8 @@ pub fn vertex_source(shape: Shape, program: &Program, constants: &str) -> String
     for (k, output) in program.outputs.iter().enumerate() {
         let _ = writeln!(store, "tp_shaded[at + {}u] = out.o{k};", k + 1);
         if let Output::ClipDistance(group) = output {
-            let _ = writeln!(store, "user |= tp_user_code(out.o{k}, {}u, tp_front_records[record + TP_DRAW_CLIP_DISTANCE_COUNT]);", group * 4);
+            let _ =
+                writeln!(store, "user |= tp_user_code(out.o{k}, {}u, tp_front_records[record + TP_DRAW_CLIP_DISTANCE_COUNT]);", group * 4);
         }
     }
     options.inserts.insert("FETCH", fetch);

@@ -140,7 +140,12 @@ impl Builder {
             b.primitives.push(Primitive { v, draw_and_flags: draw | PRIM_EDGE_01 | PRIM_EDGE_12 | PRIM_EDGE_20 });
         }
         b.steps.push(Step::Primitives { first, end: b.primitives.len() as u32 });
-        b.draws.push(Draw { record, first_primitive: first, vertex_program: self.programs.0.clone(), fragment_program: self.programs.1.clone() });
+        b.draws.push(Draw {
+            record,
+            first_primitive: first,
+            vertex_program: self.programs.0.clone(),
+            fragment_program: self.programs.1.clone(),
+        });
     }
 }
 

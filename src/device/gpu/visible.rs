@@ -1,12 +1,12 @@
 //! The visible path: opaque triangles with a depth test and writes need no lists; samples offer keys, the least one wins and is shaded. Which
 //! segments may take it, and its buffers and kernels.
 
+use super::adapter::Shape;
 use super::fine::{FineKey, feature};
 use super::glue::Planes;
 use super::params::FrontParams;
 use super::room::Room;
 use super::source::{expand, files};
-use super::adapter::Shape;
 use crate::draw::Batch;
 use crate::program::Program;
 use crate::raster::layout::*;
