@@ -64,6 +64,8 @@ pub struct Cost {
     pub feature: &'static str,
     /// Median milliseconds of each method.
     pub milliseconds: Vec<f64>,
+    /// The same by the median of the scene without it, drawn in turn with it.
+    pub ratios: Vec<f64>,
     /// Pixels that differ from the scene without it, on each method.
     pub changed: Vec<usize>,
     /// What the CPU executor says it built and left out.
@@ -111,6 +113,15 @@ fn statistics(binary: &std::path::Path, recording: &Recording) -> Result<Vec<Str
     Ok(lines)
 }
 
+/// The triangles with a feature forced on.
+fn recording(vertices: &[Vertex], state: fn(&mut Recording)) -> Recording {
+    let mut recording = Recording::new(SIDE, SIDE, 24);
+    recording.view(&View::pixels(SIDE, SIDE));
+    state(&mut recording);
+    recording.draw(gl::TRIANGLES, has::COLOR, vertices);
+    recording
+}
+
 /// Measures every feature on a scene of many triangles and on one of few large ones.
 pub fn measure(options: &Options) -> Result<Vec<Table>, Error> {
     let binary = build_runner(Implementation::Tepui)?;
@@ -119,29 +130,28 @@ pub fn measure(options: &Options) -> Result<Vec<Table>, Error> {
     let mut tables = Vec::new();
     for (scene, vertices) in [("32,768 triangles of 8 pixels", mesh(128)), ("8 triangles of 32,768 pixels", mesh(2))] {
         let mut costs: Vec<Cost> = Vec::new();
-        let mut plain: Vec<Vec<u8>> = Vec::new();
+        let plain = recording(&vertices, |_| {});
         for (feature, state) in FEATURES {
-            let mut recording = Recording::new(SIDE, SIDE, 24);
-            recording.view(&View::pixels(SIDE, SIDE));
-            state(&mut recording);
-            recording.draw(gl::TRIANGLES, has::COLOR, &vertices);
-            let mut times = vec![Vec::new(); runners.len()];
-            let mut images = vec![Vec::new(); runners.len()];
-            for _ in 0..rounds {
-                for (k, runner) in runners.iter_mut().enumerate() {
-                    let (frame, all) = play(runner, &recording, frames + 1)?;
-                    times[k].extend(&all[1..]);
-                    images[k] = frame.color;
+            let forced = recording(&vertices, state);
+            let (mut milliseconds, mut ratios, mut changed) = (Vec::new(), Vec::new(), Vec::new());
+            for runner in &mut runners {
+                let mut times = [Vec::new(), Vec::new()];
+                let mut images = [Vec::new(), Vec::new()];
+                // In turn, so that a drift of the machine hits both.
+                for _ in 0..rounds {
+                    for (k, recording) in [&plain, &forced].into_iter().enumerate() {
+                        let (frame, all) = play(runner, recording, frames + 1)?;
+                        times[k].extend(&all[1..]);
+                        images[k] = frame.color;
+                    }
                 }
+                let [without, with] = times.map(|mut t| quantile(&mut t, 0.5));
+                milliseconds.push(with);
+                ratios.push(with / without);
+                changed.push(images[0].chunks_exact(4).zip(images[1].chunks_exact(4)).filter(|(a, b)| a != b).count());
             }
-            if plain.is_empty() {
-                plain = images.clone();
-            }
-            let differ = |(a, b): (&Vec<u8>, &Vec<u8>)| a.chunks_exact(4).zip(b.chunks_exact(4)).filter(|(a, b)| a != b).count();
-            let changed = images.iter().zip(&plain).map(differ).collect();
-            let milliseconds = times.iter_mut().map(|t| quantile(t, 0.5)).collect();
-            println!("  {scene}, {feature}: {milliseconds:.2?} ms, {changed:?} pixels changed");
-            costs.push(Cost { feature, milliseconds, changed, built: statistics(&binary, &recording)? });
+            println!("  {scene}, {feature}: {milliseconds:.2?} ms, {ratios:.2?} times, {changed:?} pixels changed");
+            costs.push(Cost { feature, milliseconds, ratios, changed, built: statistics(&binary, &forced)? });
         }
         tables.push(Table { scene, methods: runners.iter().map(|r| r.label).collect(), costs });
     }

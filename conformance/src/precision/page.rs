@@ -42,7 +42,6 @@ fn section(diagram: &Diagram) -> Result<Markup, Error> {
 }
 
 fn left_out(table: &Table) -> Markup {
-    let base = &table.costs[0].milliseconds;
     html! {
         h3 { (table.scene) }
         table {
@@ -54,7 +53,7 @@ fn left_out(table: &Table) -> Markup {
             @for cost in &table.costs {
                 tr {
                     td { (cost.feature) }
-                    @for (ms, base) in cost.milliseconds.iter().zip(base) { td { (format!("{ms:.2}")) } td { (format!("{:.2}", ms / base)) } }
+                    @for (ms, ratio) in cost.milliseconds.iter().zip(&cost.ratios) { td { (format!("{ms:.2}")) } td { (format!("{ratio:.2}")) } }
                     td { (cost.changed.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")) }
                     td.small style="text-align: left" { @for line in &cost.built { (line) br; } }
                 }
@@ -86,7 +85,7 @@ pub fn write(output: &Path, options: &Options, about: &[(&str, String)], diagram
                 section id="leaving_out" {
                     h2 { "What is left out, and what it would cost" }
                     p {
-                        "Each feature is forced on in a state that changes no pixel. \"By nothing\" is the time by that of the scene without any. "
+                        "Each feature is forced on in a state that changes no pixel. \"By nothing\" is the time by that of the scene without any, drawn in turn with it; how far the first row is from 1 is the noise. "
                         "The last column is what the CPU executor says of the batch (TEPUI_STATS=1)."
                     }
                     @for t in tables { (left_out(t)) }

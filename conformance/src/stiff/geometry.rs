@@ -35,14 +35,14 @@ pub fn families() -> Vec<Family> {
         },
         Family {
             name: "ties",
-            about: "Triangles whose corners lie on a grid of the subpixels, at last on pixel centres and pixel borders only: samples lie on edges and corners. Judged by the snapped rule.",
+            about: "A hundred triangles whose corners lie on a grid of the subpixels, at last on pixel centres and pixel borders only: samples lie on edges and corners. Judged by the snapped rule.",
             knob: "grid, in subpixels",
             severities: &[1.0, 8.0, 32.0, 64.0, 128.0],
             inside: |_| true,
             make: |severity, seed| {
                 let mut random = Random::new("ties", severity, seed);
                 let mut corner = || (random.below((SIDE as f64 * 256.0 / severity) as u64) as f64 * severity / 256.0) as f32;
-                let mut vertices: Vec<Vertex> = (0..24).map(|_| Vertex::new(corner(), corner(), 0.0)).collect();
+                let mut vertices: Vec<Vertex> = (0..300).map(|_| Vertex::new(corner(), corner(), 0.0)).collect();
                 color(&mut vertices, &mut Random::new("ties", severity, seed + 1));
                 vec![triangles(View::pixels(SIDE, SIDE), SIDE, SIDE, 24, vertices)]
             },

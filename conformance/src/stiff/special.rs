@@ -16,7 +16,7 @@ pub fn families() -> Vec<Family> {
         about: "Every other cell of a chessboard holds a triangle with a poisoned position, colour, normal or texture coordinate, one attribute an image; lighting, fog and textures are on where they read it. Judged are depth and colour of the other cells, and coverage: of everything where the poison is finite, else of the other cells.",
         knob: "0 none, 1 -0, 2 denormal, 3 largest, 4 infinite, 5 NaN",
         severities: &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0],
-        inside: |_| true,
+        inside: |severity| severity != LARGEST,
         make: |severity, seed| (0..8).map(|attribute| poisoned(severity, seed, attribute)).collect(),
     }]
 }
