@@ -137,7 +137,9 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         //#state
         // Planes of this triangle.
         //#insert PLANES
+//#if CUT
         let in_columns = local_x >= i32(box & 255u) && local_x <= i32((box >> 8u) & 255u);
+//#endif
         let low = max(i32((box >> 16u) & 255u), local_top) - local_top;
         let high = min(i32(box >> 24u), local_top + 7) - local_top;
 //#if VECTORS
@@ -146,13 +148,16 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         for (var r = 0; r < TP_ROWS; r++) {
             let row = first_row + r * TP_ROW_STEP;
             let e = e0 + b * (r * TP_ROW_STEP);
-            var covered = (e.x | e.y | e.z) >= 0 && in_columns && row >= low && row <= high;
+            var covered = (e.x | e.y | e.z) >= 0;
 //#else
         var row = first_row + (low / TP_ROW_STEP) * TP_ROW_STEP;
         var e = c + a * local_x + b * (local_top + row);
         loop {
             let r = row / TP_ROW_STEP;
-            var covered = (e.x | e.y | e.z) >= 0 && in_columns && row >= low && row <= high;
+            var covered = (e.x | e.y | e.z) >= 0;
+//#endif
+//#if CUT
+            covered = covered && in_columns && row >= low && row <= high;
 //#endif
             let py = i32(origin.y) + row;
 //#if STIPPLE

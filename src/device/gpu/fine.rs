@@ -35,6 +35,8 @@ pub mod feature {
     pub const MIXED: u32 = 1 << 12;
     /// Draws differ in the interpolation of varyings, but run the same program: each draw's record says which are perspective.
     pub const MIXED_INTERPOLATION: u32 = 1 << 13;
+    /// Some triangle may reach beyond the scissor: its bounds are looked at beside its edges.
+    pub const CUT: u32 = 1 << 14;
 }
 
 /// Blending of a segment.
@@ -110,6 +112,7 @@ impl FineKey {
             ("COLOR_WRITE", feature::COLOR_WRITE),
             ("STATE_FLAGS", feature::MIXED),
             ("MIXED_INTERPOLATION", feature::MIXED_INTERPOLATION),
+            ("CUT", feature::CUT),
         ] {
             options.flag(name, on(bit));
         }

@@ -33,6 +33,18 @@ pub fn served_flags(batch: &Batch, index: usize, format: SurfaceFormat) -> u32 {
     flags
 }
 
+/// Whether no triangle of a draw reaches beyond the scissor: filled polygons are clipped to the viewport, and that lies inside.
+fn stays_inside(batch: &Batch, index: usize) -> bool {
+    let record = &batch.draws[index].record;
+    let state = &batch.raster_states[record.raster_state as usize];
+    let viewport_inside = (0..2).all(|k| {
+        let (middle, half) = (state.viewport_translate[k], state.viewport_scale[k].abs());
+        middle - half >= state.scissor_min[k] as f32 && middle + half <= state.scissor_max[k] as f32
+    });
+    let filled = record.topology == topology::TRIANGLES && state.polygon_mode == [topology::TRIANGLES; 2];
+    filled && viewport_inside && state.flags & raster_flags::WINDOW_SPACE == 0
+}
+
 /// What draw `index` asks for on a surface.
 pub fn needs(batch: &Batch, index: usize, format: SurfaceFormat) -> DrawNeeds {
     let draw = &batch.draws[index];
@@ -48,6 +60,7 @@ pub fn needs(batch: &Batch, index: usize, format: SurfaceFormat) -> DrawNeeds {
     set(feature::STENCIL_TEST, on(fragment_flags::STENCIL_TEST));
     set(feature::DEPTH_BUFFER, on(fragment_flags::DEPTH_TEST) || on(fragment_flags::STENCIL_TEST));
     set(feature::ALPHA_TEST, on(fragment_flags::ALPHA_TEST));
+    set(feature::CUT, !stays_inside(batch, index));
     set(feature::STIPPLE, batch.polygon_stipples.len() > raster.polygon_stipple as usize);
     let color = state.color_mask & 15 != 0;
     set(feature::COLOR_WRITE, color);
