@@ -1,6 +1,6 @@
 // How many triangles does each primitive make? Back faces, faces without area, and those between the samples make none. A
-// workgroup a group of TP_GROUP primitives; where workgroups are one SIMD register wide (TP_RUN > 1), a lane a run of them, and a
-// sum a lane.
+// workgroup a group of primitives, a lane each; where workgroups are one SIMD register wide (RUNS), a lane a run of TP_RUN of them, and
+// a sum a lane.
 
 //#if RUNS
 //#else

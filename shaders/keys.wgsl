@@ -21,9 +21,8 @@ struct TpWalk {
 fn tp_walk(p: TpPrimitive, index: u32, triangle: u32, a: TpCorner, b: TpCorner, c: TpCorner, walk: ptr<function, TpWalk>) -> bool {
     var x = vec3<i32>(a.snapped.x, b.snapped.x, c.snapped.x);
     var y = vec3<i32>(a.snapped.y, b.snapped.y, c.snapped.y);
-    let area = i64(x.x - x.y) * i64(y.z - y.x) - i64(x.z - x.x) * i64(y.x - y.y);
-    let positive = area > 0;
-    if (area == 0 || tp_is_culled(tp_is_front(select(-1, 1, positive), p.flags), p.flags)) {
+    let area = tp_area_sign(x, y);
+    if (area == 0 || tp_is_culled(tp_is_front(area, p.flags), p.flags)) {
         return false;
     }
     let box = tp_bounds(x, y, p.state);
@@ -33,7 +32,7 @@ fn tp_walk(p: TpPrimitive, index: u32, triangle: u32, a: TpCorner, b: TpCorner, 
     // Vertices 0 and 1 change places where the area is negative.
     var first = a.position;
     var second = b.position;
-    if (!positive) {
+    if (area < 0) {
         x = x.yxz;
         y = y.yxz;
         first = b.position;
@@ -72,10 +71,9 @@ fn tp_offer(walk: ptr<function, TpWalk>, px: i32, py: i32, zx: f32) {
     atomicMin(&tp_keys[u32(py) * tp.size.x + u32(px)], (u64(depth) << 40u) | (*walk).order);
 }
 
-// 0 where samples on the edge belong to the triangle, else 1: left edges do, and the horizontal ones at the bottom as GL sees it.
+// tp_edge_bias of the three edges.
 fn tp_edge_biases(dx: vec3<i32>, dy: vec3<i32>) -> vec3<i32> {
-    let bottom = select(dx > vec3<i32>(0), dx < vec3<i32>(0), tf.top_first != 0u);
-    return select(vec3<i32>(1), vec3<i32>(0), (dy < vec3<i32>(0)) | ((dy == vec3<i32>(0)) & bottom));
+    return vec3<i32>(vec3<u32>(tp_edge_bias(dx.x, dy.x), tp_edge_bias(dx.y, dy.y), tp_edge_bias(dx.z, dy.z)));
 }
 
 // Blocks of 64 x 64 pixels that a triangle is to be queued in; 0: a lane draws it by itself.

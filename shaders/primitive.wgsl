@@ -49,11 +49,17 @@ fn tp_primitive(index: u32) -> TpPrimitive {
 
 // Twice the area with the sign that decides the face: -1, 0, 1. Positive is counter-clockwise in rows that run down.
 fn tp_area_sign(x: vec3<i32>, y: vec3<i32>) -> i32 {
+//#if VISIBLE
+    // The visible path is for devices with wide integers.
+    let area = i64(x.x - x.y) * i64(y.z - y.x) - i64(x.z - x.x) * i64(y.x - y.y);
+    return select(select(1, 0, area == 0), -1, area < 0);
+//#else
     let a = tp_mul64(x.x - x.y, y.z - y.x);
     let b = tp_mul64(x.z - x.x, y.x - y.y);
     let low = a.x - b.x;
     let high = bitcast<i32>(a.y - b.y - select(0u, 1u, a.x < b.x));
     return select(select(1, 0, (high | bitcast<i32>(low)) == 0), -1, high < 0);
+//#endif
 }
 
 fn tp_is_front(area: i32, flags: u32) -> bool {

@@ -43,8 +43,9 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     let corner_a = tp_corner_at(p, corners.x);
     let corner_b = tp_corner_at(p, corners.y);
     let vc = tp_corner_at(p, corners.z);
-    let area = i64(corner_a.snapped.x - corner_b.snapped.x) * i64(vc.snapped.y - corner_a.snapped.y) - i64(vc.snapped.x - corner_a.snapped.x) * i64(corner_a.snapped.y - corner_b.snapped.y);
-    let front = tp_is_front(select(-1, 1, area > 0), p.flags);
+    let area = tp_area_sign(
+        vec3<i32>(corner_a.snapped.x, corner_b.snapped.x, vc.snapped.x), vec3<i32>(corner_a.snapped.y, corner_b.snapped.y, vc.snapped.y));
+    let front = tp_is_front(area, p.flags);
     var va = corner_a;
     var vb = corner_b;
     if (area < 0) {

@@ -1,5 +1,5 @@
 //! The records that the stages exchange. Every record is plain words (`u32`, `i32`, `f32`), so that the Rust stages
-//! and the WGSL kernels share one layout; a test holds each against naga's layouter.
+//! and the WGSL kernels share one layout: the kernels' word offsets are generated from these.
 //!
 //! Raster space is the space of the surface's rows: x to the right, y with the row index, pixel centres at half
 //! integers. A window surface is stored top row first, so GL's y axis is flipped by the viewport transform; a

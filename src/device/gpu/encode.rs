@@ -29,8 +29,7 @@ pub const LIST_HEAD: u32 = 16;
 pub enum Action {
     /// Clear; its parameters are complete.
     Clear(Params),
-    /// Cull, set up and clip the primitives of the segments that follow; its parameters, what the kernels contain (`stage::front`), and
-    /// whether a primitive may leave the view volume at all.
+    /// Cull, set up and clip the primitives of the segments that follow; its parameters, and what the kernels contain (`stage::front`).
     Front(FrontParams, u32),
     /// Draw a segment by lists.
     Draw(Box<DrawAction>),

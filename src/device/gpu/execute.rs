@@ -250,19 +250,17 @@ impl Executor {
         });
     }
 
+    fn planner<'a>(&'a self, batch: &'a Batch) -> Planner<'a> {
+        let config = self.kernels.config;
+        let (shape, visible_from) = (config.shape, config.visible_from);
+        Planner { batch, size: self.size, format: self.format, shape, room: &self.room, visible_from }
+    }
+
     /// Sets a batch up on the host and uploads the triangles.
     fn prepare_host(&mut self, batch: &Batch) -> Prepared {
         let Gpu { device, queue, .. } = self.gpu;
         self.host_front.run(batch, self.format.top_first);
-        let planner = Planner {
-            batch,
-            size: self.size,
-            format: self.format,
-            shape: self.kernels.config.shape,
-            room: &self.room,
-            visible_from: self.kernels.config.visible_from,
-        };
-        let plan = planner.host(&self.host_front, &self.heap);
+        let plan = self.planner(batch).host(&self.host_front, &self.heap);
         let b = &mut self.buffers;
         b.triangles.upload(device, queue, cast_slice(&self.host_front.triangles));
         b.planes.upload(device, queue, cast_slice(&self.host_front.planes));
@@ -274,15 +272,7 @@ impl Executor {
     fn prepare_kernels(&mut self, batch: &Batch) -> Prepared {
         let Gpu { device, queue, .. } = self.gpu;
         let mut records = FrontRecords::new(batch);
-        let planner = Planner {
-            batch,
-            size: self.size,
-            format: self.format,
-            shape: self.kernels.config.shape,
-            room: &self.room,
-            visible_from: self.kernels.config.visible_from,
-        };
-        let (mut plan, tables) = planner.kernels(&self.heap, records.words.len() as u32);
+        let (mut plan, tables) = self.planner(batch).kernels(&self.heap, records.words.len() as u32);
         records.words.extend_from_slice(&tables);
         let segments = (plan.segments.len() as u32).next_multiple_of(4);
         let [mut front_words, mut triangles, mut planes, mut pool] = [segments as u64 + 4, 0, 0, 0];
