@@ -3,19 +3,21 @@
 //! Runs of primitives are set up in parallel, each with bin lists of its own; bins are then drawn in parallel, each
 //! walking the runs in order. The result does not depend on the number of threads.
 
+use std::any::Any;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
 
-use super::{Device, Pixels, Surface, SurfaceFormat, cpu_stats, lines};
+use super::plane::{self, Storage};
+use super::{Device, Plane, PlaneFormat, SharedPlane, Surface, Target, cpu_stats, lines};
 use crate::draw::{Batch, Step, recycle};
 use crate::raster::fine::{Plan, Scene, Work, Worker, run_bin};
 use crate::raster::layout::{BIN_SIZE, raster_flags};
 use crate::raster::setup::{Chunk, SetupInput};
 use crate::raster::simd::Level;
-use crate::raster::store::Store;
+use crate::raster::store::{self, Store};
 use crate::raster::vertex::{self, ScreenVertex, VertexWorker, place};
 
 /// Most and fewest primitives in a run.
@@ -82,8 +84,12 @@ impl Device for CpuDevice {
         format!("CPU, {} thread{}, {level}", self.shared.threads, if self.shared.threads == 1 { "" } else { "s" })
     }
 
-    fn surface(&self, width: u32, height: u32, format: SurfaceFormat) -> Box<dyn Surface> {
-        Box::new(CpuSurface::new(self, width, height, format))
+    fn plane(&self, size: [u32; 2], samples: u32, format: PlaneFormat) -> SharedPlane {
+        new_plane(size, samples, format)
+    }
+
+    fn surface_on(&self, target: Target) -> Box<dyn Surface> {
+        Box::new(CpuSurface::new(self, target))
     }
 }
 
@@ -99,28 +105,30 @@ struct Scratch {
 /// A surface of the CPU executor.
 pub struct CpuSurface {
     shared: Arc<Shared>,
-    store: Store,
-    pixels: Pixels,
-    /// `pixels` was handed out to be changed.
-    pixels_newer: bool,
-    /// `pixels` lags behind in colour, in depth and stencil.
-    color_stale: bool,
-    depth_stale: bool,
+    target: Target,
+    /// What the samples of a pixel amount to, made when it is first asked for, and the version of the samples.
+    resolved: Option<(SharedPlane, u64)>,
     scratch: Scratch,
+}
+
+impl Storage for Store {
+    fn read(&mut self, rows: &mut [u32]) {
+        Store::read(self, rows);
+    }
+
+    fn write(&mut self, rows: &[u32]) {
+        Store::write(self, rows);
+    }
+
+    fn as_any(&mut self) -> &mut dyn Any {
+        self
+    }
 }
 
 impl CpuSurface {
     /// A surface of a device.
-    pub fn new(device: &CpuDevice, width: u32, height: u32, format: SurfaceFormat) -> CpuSurface {
-        CpuSurface {
-            shared: device.shared.clone(),
-            store: Store::new(width, height, format),
-            pixels: Pixels::new(width, height, format),
-            pixels_newer: false,
-            color_stale: false,
-            depth_stale: false,
-            scratch: Scratch::default(),
-        }
+    pub fn new(device: &CpuDevice, target: Target) -> CpuSurface {
+        CpuSurface { shared: device.shared.clone(), target, resolved: None, scratch: Scratch::default() }
     }
 
     /// Runs a batch whose vertices are shaded already: the stages after the vertex stage.
@@ -137,64 +145,74 @@ impl CpuSurface {
             }
         }
         self.scratch.shaded = shaded;
-        self.begin();
         let pool = self.shared.pool();
-        draw(batch, &mut self.store, &mut self.scratch, &bases, self.shared.level, pool);
-    }
-
-    /// The store is about to change.
-    fn begin(&mut self) {
-        if std::mem::take(&mut self.pixels_newer) {
-            self.store.write(&self.pixels);
-        }
-        (self.color_stale, self.depth_stale) = (true, true);
+        draw(batch, &self.target, &mut self.scratch, &bases, self.shared.level, pool);
     }
 }
 
 impl Surface for CpuSurface {
+    fn target(&self) -> &Target {
+        &self.target
+    }
+
+    fn retarget(&mut self, target: Target) {
+        self.target = target;
+        self.resolved = None;
+    }
+
     fn execute(&mut self, batch: Batch) {
-        self.begin();
-        let bin_pixels = self.store.size[0] as u64 * self.store.size[1] as u64;
-        let work = batch.shaded_vec4 as u64 + batch.primitives.len() as u64 + bin_pixels / 64;
+        let pixels = self.target.size[0] as u64 * self.target.size[1] as u64;
+        let work = batch.shaded_vec4 as u64 + batch.primitives.len() as u64 + pixels / 64;
         let pool = if work > WORTH_SHARING { self.shared.pool() } else { None };
-        run(&batch, &mut self.store, &mut self.scratch, self.shared.level, pool);
+        run(&batch, &self.target, &mut self.scratch, self.shared.level, pool);
         recycle(batch);
     }
 
-    fn pixels(&mut self) -> &Pixels {
-        if std::mem::take(&mut self.depth_stale) {
-            self.store.read_depth_stencil(&mut self.pixels);
+    fn resolved(&mut self) -> &SharedPlane {
+        let Target { size, format, .. } = self.target;
+        if format.samples == 1 {
+            return &self.target.color;
         }
-        self.color_pixels()
-    }
-
-    fn color_pixels(&mut self) -> &Pixels {
-        if std::mem::take(&mut self.color_stale) {
-            self.store.read_color(&mut self.pixels);
+        let version = plane::lock(&self.target.color).version();
+        // Of no version at first.
+        let (plane, of) = self.resolved.get_or_insert_with(|| (new_plane(size, 1, PlaneFormat::Color(format.color)), u64::MAX));
+        if std::mem::replace(of, version) != version {
+            resolve(&self.target.color, plane, self.shared.pool());
         }
-        &self.pixels
+        plane
     }
 
     fn copy_color(&mut self, out: &mut [u8], stride: usize, bottom_up: bool) {
-        if std::mem::take(&mut self.pixels_newer) {
-            self.store.write(&self.pixels);
-        }
-        let store = &self.store;
+        let shared = self.shared.clone();
+        let mut plane = plane::lock(self.resolved());
+        let Some(store) = plane.storage::<Store>() else { return };
+        let store = &*store;
         let mut lines = lines(out, stride, store.size[1] as usize, bottom_up);
         let band = |(k, lines): (usize, &mut [&mut [u8]])| store.copy_band(k as u32, lines);
         // A band is a row of bins.
-        match self.shared.pool() {
+        match shared.pool() {
             Some(pool) if lines.len() * stride >= WORTH_SHARING_COPY => {
                 pool.install(|| lines.par_chunks_mut(BIN_SIZE as usize).enumerate().for_each(band));
             }
             _ => lines.chunks_mut(BIN_SIZE as usize).enumerate().for_each(band),
         }
     }
+}
 
-    fn pixels_mut(&mut self) -> &mut Pixels {
-        self.pixels();
-        self.pixels_newer = true;
-        &mut self.pixels
+fn new_plane(size: [u32; 2], samples: u32, format: PlaneFormat) -> SharedPlane {
+    Plane::new(size, samples, format, Box::new(Store::new(size, samples, format)))
+}
+
+/// Makes every pixel of `to` the mean of its samples in `from`.
+fn resolve(from: &SharedPlane, to: &SharedPlane, pool: Option<&rayon::ThreadPool>) {
+    let (mut from, mut to) = (plane::lock(from), plane::lock(to));
+    let (Some(from), Some(to)) = (from.storage::<Store>(), to.storage_mut::<Store>()) else { return };
+    let format = to.format;
+    let bins: Vec<_> = to.resolve_bins(from).collect();
+    let one = |(bin, samples): (&mut [u32], &[u32])| store::resolve(format, bin, samples);
+    match pool {
+        Some(pool) if bins.len() > 1 => pool.install(|| bins.into_par_iter().for_each(one)),
+        _ => bins.into_iter().for_each(one),
     }
 }
 
@@ -211,14 +229,15 @@ fn shade(batch: &Batch, scratch: &mut Scratch, pool: Option<&rayon::ThreadPool>)
     bases
 }
 
-/// Runs a batch on a store.
-fn run(batch: &Batch, store: &mut Store, scratch: &mut Scratch, level: Level, pool: Option<&rayon::ThreadPool>) {
+/// Runs a batch on a target.
+fn run(batch: &Batch, target: &Target, scratch: &mut Scratch, level: Level, pool: Option<&rayon::ThreadPool>) {
     let screen_base = shade(batch, scratch, pool);
-    draw(batch, store, scratch, &screen_base, level, pool);
+    draw(batch, target, scratch, &screen_base, level, pool);
 }
 
 /// The stages after the vertex stage.
-fn draw(batch: &Batch, store: &mut Store, scratch: &mut Scratch, screen_base: &[u32], level: Level, pool: Option<&rayon::ThreadPool>) {
+fn draw(batch: &Batch, target: &Target, scratch: &mut Scratch, screen_base: &[u32], level: Level, pool: Option<&rayon::ThreadPool>) {
+    let format = target.format;
     // Enough runs for all threads to have work until the end.
     let threads = pool.map_or(1, |p| p.current_num_threads());
     let chunk = (batch.primitives.len() as u32 / (4 * threads as u32)).clamp(CHUNK[1], CHUNK[0]);
@@ -231,8 +250,8 @@ fn draw(batch: &Batch, store: &mut Store, scratch: &mut Scratch, screen_base: &[
     if scratch.chunks.len() < runs.len() {
         scratch.chunks.resize_with(runs.len(), Chunk::default);
     }
-    let input = SetupInput { batch, shaded: &scratch.shaded, screen: &scratch.screen, screen_base, top_first: store.format.top_first };
-    let bins = store.bins;
+    let input = SetupInput { batch, shaded: &scratch.shaded, screen: &scratch.screen, screen_base, top_first: format.top_first };
+    let bins = target.size.map(|n| n.div_ceil(BIN_SIZE));
     let chunks = &mut scratch.chunks[..runs.len()];
     let set_up = |chunk: &mut Chunk, first: u32, end: u32| {
         chunk.clear();
@@ -269,10 +288,12 @@ fn draw(batch: &Batch, store: &mut Store, scratch: &mut Scratch, screen_base: &[
             next += 1;
         }
     }
-    let format = store.format;
     let plans: Vec<Plan> = (0..batch.draws.len()).map(|k| Plan::new(batch, k, format)).collect();
-    let scene = Scene { batch, plans: &plans, work: &work, format, height: store.size[1] };
-    let bins = store.split();
+    let scene = Scene { batch, plans: &plans, work: &work, format, height: target.size[1] };
+    let mut color = plane::lock(&target.color);
+    let mut depth = target.depth.as_ref().map(plane::lock);
+    let Some(color) = color.storage_mut::<Store>() else { return };
+    let bins = store::split(color, depth.as_mut().and_then(|plane| plane.storage_mut::<Store>()));
     let tiles = [AtomicU64::new(0), AtomicU64::new(0)];
     let fine = |(k, mut bin)| {
         FINE.with_borrow_mut(|worker| {

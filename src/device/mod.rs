@@ -3,8 +3,13 @@
 pub mod cpu;
 mod cpu_stats;
 pub mod gpu;
+pub mod plane;
+pub mod samples;
+
+use std::sync::Arc;
 
 use crate::draw::Batch;
+pub use plane::{Pixels, Plane, PlaneFormat, SharedPlane, Target};
 
 /// Storage of a colour pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -65,54 +70,51 @@ pub struct SurfaceFormat {
     pub stencil: bool,
     /// Row 0 is the top row (window surfaces); otherwise the bottom row (framebuffer objects).
     pub top_first: bool,
+    /// Samples a pixel: 1, 2, 4, 8 or 16.
+    pub samples: u32,
 }
 
-/// The pixels of a surface in host memory, row 0 first.
-#[derive(Clone, Debug)]
-pub struct Pixels {
-    /// Columns.
-    pub width: u32,
-    /// Rows.
-    pub height: u32,
-    /// Storage.
-    pub format: SurfaceFormat,
-    /// `width * height * format.color.words()` words.
-    pub color: Vec<u32>,
-    /// `width * height` words (empty without depth and stencil): depth in the low 24 bits, stencil in the high 8.
-    pub depth_stencil: Vec<u32>,
-}
-
-impl Pixels {
-    /// Zeroed pixels.
-    pub fn new(width: u32, height: u32, format: SurfaceFormat) -> Pixels {
-        let n = width as usize * height as usize;
-        let ds = format.depth != DepthFormat::None || format.stencil;
-        Pixels { width, height, format, color: vec![0; n * format.color.words()], depth_stencil: vec![0; if ds { n } else { 0 }] }
+impl SurfaceFormat {
+    /// Depth or stencil is stored.
+    pub fn has_depth_stencil(self) -> bool {
+        self.depth != DepthFormat::None || self.stencil
     }
 }
 
-/// A colour, depth and stencil buffer of one size, and the device that draws on it.
+/// Draws into planes.
 pub trait Surface: Send {
-    /// Runs a batch. May return before it is finished; `pixels` waits.
+    /// Where it draws.
+    fn target(&self) -> &Target;
+    /// Draws into other planes of the same device from now on.
+    fn retarget(&mut self, target: Target);
+    /// Runs a batch. May return before it is finished.
     fn execute(&mut self, batch: Batch);
-    /// The pixels after all batches so far, to read.
-    fn pixels(&mut self) -> &Pixels;
-    /// The same, but only the colour need be up to date.
-    fn color_pixels(&mut self) -> &Pixels {
-        self.pixels()
+    /// Waits until all batches so far are in the planes.
+    fn settle(&mut self) {}
+    /// The colour of each pixel as one sample, up to date: the colour plane itself where it has no more.
+    fn resolved(&mut self) -> &SharedPlane;
+    /// The pixels after all batches so far.
+    fn pixels(&mut self) -> Pixels<'_> {
+        self.settle();
+        self.target().pixels()
     }
-    /// Copies the colour to rows of bytes, `stride` from one to the next, row 0 last where `bottom_up`. The last row in memory may end
-    /// with its pixels; every other one must have room for them.
+    /// The colour alone, one sample a pixel.
+    fn color_pixels(&mut self) -> Pixels<'_> {
+        self.settle();
+        let ([width, height], format) = (self.target().size, SurfaceFormat { samples: 1, ..self.target().format });
+        Pixels::of(self.resolved(), width, height, format)
+    }
+    /// Copies the colour, one sample a pixel, to rows of bytes, `stride` from one to the next, row 0 last where `bottom_up`. The last row
+    /// in memory may end with its pixels; every other one must have room for them.
     fn copy_color(&mut self, out: &mut [u8], stride: usize, bottom_up: bool) {
-        let pixels = self.color_pixels();
-        let words = pixels.width as usize * pixels.format.color.words();
-        let lines = lines(out, stride, pixels.height as usize, bottom_up);
-        for (line, row) in lines.into_iter().zip(pixels.color.chunks_exact(words.max(1))) {
+        let mut plane = plane::lock(self.resolved());
+        let [width, height] = plane.size.map(|n| n as usize);
+        let words = width * plane.format.words();
+        let lines = lines(out, stride, height, bottom_up);
+        for (line, row) in lines.into_iter().zip(plane.rows().chunks_exact(words.max(1))) {
             line[..words * 4].copy_from_slice(bytemuck::cast_slice(row));
         }
     }
-    /// The same as `pixels`, to change.
-    fn pixels_mut(&mut self) -> &mut Pixels;
 }
 
 /// The first `count` rows of memory, `stride` bytes each (the last one may be shorter), in the order of a surface's rows.
@@ -128,15 +130,29 @@ fn lines(out: &mut [u8], stride: usize, count: usize, bottom_up: bool) -> Vec<&m
 pub trait Device: Send + Sync {
     /// What it is, for GL_RENDERER and the log: "CPU, 2 threads, AVX2".
     fn name(&self) -> String;
-    /// A new surface with zeroed pixels.
-    fn surface(&self, width: u32, height: u32, format: SurfaceFormat) -> Box<dyn Surface>;
+    /// A plane of zeros.
+    fn plane(&self, size: [u32; 2], samples: u32, format: PlaneFormat) -> SharedPlane;
+    /// What draws into planes of this device.
+    fn surface_on(&self, target: Target) -> Box<dyn Surface>;
+    /// Planes of zeros for a surface.
+    fn target(&self, width: u32, height: u32, format: SurfaceFormat) -> Target {
+        let size = [width, height];
+        let color = self.plane(size, format.samples, PlaneFormat::Color(format.color));
+        let depth_format = PlaneFormat::DepthStencil { depth: format.depth, stencil: format.stencil };
+        let depth = format.has_depth_stencil().then(|| self.plane(size, format.samples, depth_format));
+        Target { color, depth, size, format }
+    }
+    /// A new surface with zeroed planes of its own.
+    fn surface(&self, width: u32, height: u32, format: SurfaceFormat) -> Box<dyn Surface> {
+        self.surface_on(self.target(width, height, format))
+    }
 }
 
 /// The process's device: `TEPUI_DEVICE` is `auto` (the default), `cpu` or `gpu`. Chosen once, then shared by all contexts.
 ///
 /// `auto` takes a GPU only where there is real hardware; `gpu` takes any Vulkan adapter, and the CPU where there is none.
-pub fn choose() -> std::sync::Arc<dyn Device> {
-    static CHOSEN: std::sync::OnceLock<std::sync::Arc<dyn Device>> = std::sync::OnceLock::new();
+pub fn choose() -> Arc<dyn Device> {
+    static CHOSEN: std::sync::OnceLock<Arc<dyn Device>> = std::sync::OnceLock::new();
     CHOSEN
         .get_or_init(|| {
             let wish = std::env::var("TEPUI_DEVICE").unwrap_or_default();
@@ -147,11 +163,11 @@ pub fn choose() -> std::sync::Arc<dyn Device> {
             };
             if gpu_wanted {
                 match gpu::GpuDevice::new() {
-                    Ok(device) => return std::sync::Arc::new(device),
+                    Ok(device) => return Arc::new(device),
                     Err(e) => log::warn!(target: "tepui::device", "no GPU: {e}; drawing on the CPU"),
                 }
             }
-            std::sync::Arc::new(cpu::CpuDevice::new())
+            Arc::new(cpu::CpuDevice::new())
         })
         .clone()
 }

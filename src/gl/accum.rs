@@ -123,7 +123,7 @@ impl Context {
         self.window_changed = true;
         self.accum_buffer();
         let (Some(buffer), Some(window)) = (self.pixel_objects.accum.as_mut(), self.window.as_mut()) else { return };
-        let pixels = window.pixels_mut();
+        let pixels = &mut window.pixels();
         let scale = value / 32767.0;
         let rect = rect.and(bounds(pixels));
         for y in rect.min[1]..rect.max[1] {

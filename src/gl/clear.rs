@@ -117,7 +117,7 @@ impl Context {
         }
         self.flush_batch();
         if let Some(window) = &mut self.window {
-            window.pixels();
+            window.settle();
         }
     }
 }

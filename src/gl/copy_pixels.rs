@@ -38,15 +38,17 @@ impl Context {
         }
         self.flush_batch();
         let Some(window) = self.window.as_mut() else { return };
-        let pixels = window.pixels();
-        let inside = rect.and(bounds(pixels));
+        let (inside, depths, indices) = {
+            let pixels = &window.pixels();
+            let inside = rect.and(bounds(pixels));
+            let depths = if kind == GL_DEPTH { read_depth(pixels, inside) } else { Vec::new() };
+            (inside, depths, if kind == GL_STENCIL { read_stencil(pixels, inside) } else { Vec::new() })
+        };
         if inside.is_empty() {
             return;
         }
         // What lies to the left of and below the window is skipped: the rest lands where it would have.
         let size = [inside.width(), inside.height()];
-        let depths = if kind == GL_DEPTH { read_depth(pixels, inside) } else { Vec::new() };
-        let indices = if kind == GL_STENCIL { read_stencil(pixels, inside) } else { Vec::new() };
         let position = self.state.current.raster.position;
         for (k, skipped) in [inside.min[0] - x, inside.min[1] - y].into_iter().enumerate() {
             self.state.current.raster.position[k] = position[k].round() + skipped as f32 * self.state.pixel.zoom[k];

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use super::Context;
 use super::enums::*;
-use super::framebuffer::{depth_max, pixel_index, quantize_depth, write_color};
+use super::framebuffer::{depth_max, pixel_index, quantize_depth, write_color, write_depth_stencil};
 use super::pixel_format::{ClientImage, Groups, check};
 use super::pixel_rectangle::Placed;
-use crate::device::DepthFormat;
+use crate::device::{ColorFormat, DepthFormat};
 
 impl Context {
     /// glDrawPixels. `pixels`: from the client's pointer on, as [`Context::unpack_bytes`] says.
@@ -92,12 +92,12 @@ impl Context {
         self.flush_batch();
         self.window_changed = true;
         let Some(window) = self.window.as_mut().filter(|_| mask != 0) else { return };
-        let pixels = window.pixels_mut();
+        let pixels = &mut window.pixels();
         let width = placed.rect.width();
         for (row, y) in (placed.rect.min[1]..placed.rect.max[1]).enumerate() {
             let first = pixel_index(pixels, placed.rect.min[0], y);
             match &groups {
-                Groups::Rgba8(p) if mask == 15 && pixels.format.color == crate::device::ColorFormat::Rgba8 => {
+                Groups::Rgba8(p) if mask == 15 && pixels.format.color == ColorFormat::Rgba8 && pixels.format.samples == 1 => {
                     pixels.color[first..first + width].copy_from_slice(&p[row * width..(row + 1) * width]);
                 }
                 Groups::Rgba8(p) => {
@@ -132,12 +132,13 @@ impl Context {
         self.flush_batch();
         self.window_changed = true;
         let Some(window) = self.window.as_mut() else { return };
-        let pixels = window.pixels_mut();
+        let pixels = &mut window.pixels();
         let max = depth_max(pixels.format.depth);
         for (y, row) in (placed.rect.min[1]..).zip(depths.chunks_exact(placed.rect.width())) {
             let first = pixel_index(pixels, placed.rect.min[0], y);
-            for (out, depth) in pixels.depth_stencil[first..].iter_mut().zip(row) {
-                *out = *out & 0xff00_0000 | quantize_depth(*depth, max);
+            for (x, depth) in row.iter().enumerate() {
+                let depth = quantize_depth(*depth, max);
+                write_depth_stencil(pixels, first + x, |old| old & 0xff00_0000 | depth);
             }
         }
     }
@@ -151,11 +152,12 @@ impl Context {
         self.window_changed = true;
         let transfer = &self.state.pixel;
         let Some(window) = self.window.as_mut() else { return };
-        let pixels = window.pixels_mut();
+        let pixels = &mut window.pixels();
         for (y, row) in (placed.rect.min[1]..).zip(indices.chunks_exact(placed.rect.width())) {
             let first = pixel_index(pixels, placed.rect.min[0], y);
-            for (out, &index) in pixels.depth_stencil[first..].iter_mut().zip(row) {
-                *out = *out & !mask | transfer.transfer_stencil(index) << 24 & mask;
+            for (x, &index) in row.iter().enumerate() {
+                let stencil = transfer.transfer_stencil(index) << 24 & mask;
+                write_depth_stencil(pixels, first + x, |old| old & !mask | stencil);
             }
         }
     }

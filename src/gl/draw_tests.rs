@@ -12,7 +12,7 @@ fn context() -> Context {
 
 fn pixels(cx: &mut Context) -> Vec<u32> {
     cx.finish();
-    cx.window.as_mut().expect("attached").pixels().color.clone()
+    cx.window.as_mut().expect("attached").pixels().color.to_vec()
 }
 
 fn quad(cx: &mut Context, x: f32, y: f32) {

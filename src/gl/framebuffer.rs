@@ -85,8 +85,12 @@ pub(crate) fn read_color(pixels: &Pixels, rect: Rect) -> Groups {
     if large.is_empty() { Groups::Rgba8(small) } else { Groups::Rgba(large) }
 }
 
-/// Writes one colour, components of `mask` (bits 0 to 3: RGBA) only; `index` counts pixels.
+/// Writes one colour to all samples of a pixel, components of `mask` (bits 0 to 3: RGBA) only; `index` counts pixels.
 pub(crate) fn write_color(pixels: &mut Pixels, index: usize, color: [f32; 4], mask: u32) {
+    pixels.samples().for_each(|sample| write_sample(pixels, sample + index, color, mask));
+}
+
+fn write_sample(pixels: &mut Pixels, index: usize, color: [f32; 4], mask: u32) {
     let select = |mask: u32, bits: [u32; 4]| (0..4).filter(|k| mask >> k & 1 != 0).fold(0, |m, k| m | bits[k as usize]);
     let blend = |old: &mut u32, new: u32, bits: u32| *old = *old & !bits | new & bits;
     let unorm = |c: f32, max: f32| (c.clamp(0.0, 1.0) * max).round_ties_even() as u32;
@@ -129,6 +133,15 @@ pub(crate) fn depth_max(format: DepthFormat) -> f64 {
 pub(crate) fn quantize_depth(depth: f64, max: f64) -> u32 {
     let single = depth as f32;
     if single as f64 == depth { (single * max as f32).round_ties_even() as u32 } else { (depth * max).round_ties_even() as u32 }
+}
+
+/// Changes the depth and stencil words of all samples of a pixel; `index` counts pixels.
+pub(crate) fn write_depth_stencil(pixels: &mut Pixels, index: usize, f: impl Fn(u32) -> u32) {
+    for sample in pixels.samples() {
+        if let Some(word) = pixels.depth_stencil.get_mut(sample + index) {
+            *word = f(*word);
+        }
+    }
 }
 
 /// Stencil values of a rectangle inside the surface.

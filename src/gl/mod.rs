@@ -154,7 +154,7 @@ impl ContextConfig {
             1..=16 => DepthFormat::D16,
             _ => DepthFormat::D24,
         };
-        SurfaceFormat { color: self.color, depth, stencil: self.stencil_bits > 0, top_first: true }
+        SurfaceFormat { color: self.color, depth, stencil: self.stencil_bits > 0, top_first: true, samples: 1 }
     }
 }
 

@@ -40,7 +40,7 @@ fn picture(cx: &mut Context) -> (Vec<u32>, Vec<u32>) {
     cx.finish();
     assert_eq!(cx.get_error(), GL_NO_ERROR);
     let pixels = cx.window.as_mut().expect("attached").pixels();
-    (pixels.color.clone(), pixels.depth_stencil.clone())
+    (pixels.color.to_vec(), pixels.depth_stencil.to_vec())
 }
 
 fn hits(cx: &mut Context) -> Vec<u32> {

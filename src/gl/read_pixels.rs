@@ -10,7 +10,7 @@ impl Context {
     /// The window's part of a rectangle, and its colours before transfer. None without a window.
     pub(crate) fn read_window_colors(&mut self, rect: Rect) -> Option<(Rect, Groups)> {
         self.flush_batch();
-        let pixels = self.window.as_mut()?.pixels();
+        let pixels = &self.window.as_mut()?.color_pixels();
         let inside = rect.and(bounds(pixels));
         Some((inside, read_color(pixels, inside)))
     }
@@ -60,7 +60,7 @@ impl Context {
         let rect = Rect::new(x, y, width, height);
         self.flush_batch();
         let Some(window) = self.window.as_mut() else { return };
-        let pixels = window.pixels();
+        let pixels = &if matches!(format, GL_DEPTH_COMPONENT | GL_STENCIL_INDEX) { window.pixels() } else { window.color_pixels() };
         let inside = rect.and(bounds(pixels));
         if inside.is_empty() {
             return;

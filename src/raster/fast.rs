@@ -144,7 +144,7 @@ mod tests {
 
     #[test]
     fn every_routine_serves_its_state() {
-        let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true };
+        let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true, samples: 1 };
         let plain = FragmentState { color_mask: 15, ..FragmentState::zeroed() };
         let depth = fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE;
         let (s, d) = (blend_factor::SRC_ALPHA, blend_factor::ONE_MINUS_SRC_ALPHA);

@@ -1,32 +1,31 @@
-//! The CPU executor's image: bins of 64 x 64 pixels one after the other, in each its tiles, in each tile its 64
+//! The CPU executor's planes: bins of 64 x 64 pixels one after the other, in each its samples, of each sample its tiles, in each tile its 64
 //! pixels row by row. A row of a tile is one vector, a tile is four cache lines, a bin's pixels belong to one worker.
 
 use super::layout::{BIN_SIZE, TILE_SIZE};
-use crate::device::{DepthFormat, Pixels, SurfaceFormat};
+use crate::device::{ColorFormat, PlaneFormat, samples};
 
 /// Pixels in a bin.
 pub const BIN_PIXELS: usize = (BIN_SIZE * BIN_SIZE) as usize;
 /// Tiles in a bin.
 pub const BIN_TILES: usize = ((BIN_SIZE / TILE_SIZE) * (BIN_SIZE / TILE_SIZE)) as usize;
 
-/// Index in its bin of the pixel (x, y) of the bin.
+/// Index in its bin of the pixel (x, y) of the bin; sample s of it lies `s * BIN_PIXELS` further.
 #[inline(always)]
 pub fn pixel_index(x: u32, y: u32) -> usize {
     ((y / 8 * 8 + x / 8) * 64 + y % 8 * 8 + x % 8) as usize
 }
 
-/// A surface's pixels by bins.
+/// A plane's pixels by bins.
 pub struct Store {
     /// Columns and rows of pixels.
     pub size: [u32; 2],
     /// Columns and rows of bins.
     pub bins: [u32; 2],
+    /// Samples a pixel.
+    pub samples: usize,
     /// Storage.
-    pub format: SurfaceFormat,
-    /// Colour words.
-    pub color: Vec<u32>,
-    /// Depth and stencil words (empty where the surface has neither).
-    pub depth_stencil: Vec<u32>,
+    pub format: PlaneFormat,
+    words: Vec<u32>,
 }
 
 /// A bin's pixels.
@@ -39,53 +38,68 @@ pub struct BinPixels<'a> {
     pub depth_stencil: &'a mut [u32],
 }
 
+/// All bins of a colour plane, row by row, each with its part of a depth plane of the same size.
+pub fn split<'a>(color: &'a mut Store, depth: Option<&'a mut Store>) -> Vec<BinPixels<'a>> {
+    let columns = color.bins[0];
+    let words = color.bin_words();
+    let mut depth = depth.map(|store| (store.bin_words(), &mut store.words)).map(|(words, all)| all.chunks_mut(words));
+    let bins = color.words.chunks_mut(words).enumerate().map(|(k, color)| BinPixels {
+        origin: [(k as u32 % columns * BIN_SIZE) as i32, (k as u32 / columns * BIN_SIZE) as i32],
+        color,
+        depth_stencil: depth.as_mut().and_then(Iterator::next).unwrap_or_default(),
+    });
+    bins.collect()
+}
+
 impl Store {
     /// Zeroed.
-    pub fn new(width: u32, height: u32, format: SurfaceFormat) -> Store {
-        let bins = [width.div_ceil(BIN_SIZE), height.div_ceil(BIN_SIZE)];
-        let pixels = bins[0] as usize * bins[1] as usize * BIN_PIXELS;
-        let ds = format.depth != DepthFormat::None || format.stencil;
-        Store {
-            size: [width, height],
-            bins,
-            format,
-            color: vec![0; pixels * format.color.words()],
-            depth_stencil: vec![0; if ds { pixels } else { 0 }],
-        }
+    pub fn new(size: [u32; 2], samples: u32, format: PlaneFormat) -> Store {
+        let bins = size.map(|n| n.div_ceil(BIN_SIZE));
+        let mut store = Store { size, bins, samples: samples as usize, format, words: Vec::new() };
+        store.words = vec![0; bins[0] as usize * bins[1] as usize * store.bin_words()];
+        store
     }
 
-    /// All bins, row by row.
-    pub fn split(&mut self) -> Vec<BinPixels<'_>> {
-        let columns = self.bins[0];
-        let words = self.format.color.words() * BIN_PIXELS;
-        let mut depth = self.depth_stencil.chunks_mut(BIN_PIXELS);
-        let bins = self.color.chunks_mut(words).enumerate().map(|(k, color)| BinPixels {
-            origin: [(k as u32 % columns * BIN_SIZE) as i32, (k as u32 / columns * BIN_SIZE) as i32],
-            color,
-            depth_stencil: depth.next().unwrap_or_default(),
-        });
-        bins.collect()
+    /// Words of a bin.
+    fn bin_words(&self) -> usize {
+        self.samples * BIN_PIXELS * self.format.words()
     }
 
-    /// Calls `f(index in the store, index in rows, count)` for every run of pixels that are neighbours in both.
-    fn runs(size: [u32; 2], columns: u32, mut f: impl FnMut(usize, usize, usize)) {
-        for y in 0..size[1] {
-            for x in (0..size[0]).step_by(TILE_SIZE as usize) {
-                let bin = (y / BIN_SIZE * columns + x / BIN_SIZE) as usize;
-                let n = (size[0] - x).min(TILE_SIZE) as usize;
-                f(bin * BIN_PIXELS + pixel_index(x % BIN_SIZE, y % BIN_SIZE), y as usize * size[0] as usize + x as usize, n);
+    /// Calls `f(word in the store, word in rows, count)` for every run of a tile's row, sample by sample.
+    fn runs(&self, mut f: impl FnMut(usize, usize, usize)) {
+        let words = self.format.words();
+        let [width, height] = self.size;
+        for (sample, y) in (0..self.samples).flat_map(|s| (0..height).map(move |y| (s, y))) {
+            let row = (sample * height as usize + y as usize) * width as usize * words;
+            let mut at =
+                (y / BIN_SIZE * self.bins[0]) as usize * self.bin_words() + (sample * BIN_PIXELS + pixel_index(0, y % BIN_SIZE)) * words;
+            for (k, x) in (0..width).step_by(TILE_SIZE as usize).enumerate() {
+                f(at, row + x as usize * words, (width - x).min(TILE_SIZE) as usize * words);
+                // The next tile, or the first one of the next bin.
+                at += if k % 8 == 7 { self.bin_words() - 7 * 64 * words } else { 64 * words };
             }
         }
     }
 
-    /// Copies colour to pixels in rows.
-    pub fn read_color(&self, to: &mut Pixels) {
-        copy_rows(self, &self.color, &mut to.color, self.format.color.words());
+    /// Copies all samples to rows: sample by sample.
+    pub fn read(&self, rows: &mut [u32]) {
+        self.runs(|at, row, n| match <&mut [u32; 8]>::try_from(&mut rows[row..row + n]) {
+            // A copy of known size is one load and one store, not a call.
+            Ok(eight) => *eight = *self.words[at..].first_chunk().expect("a row of a tile"),
+            Err(_) => rows[row..row + n].copy_from_slice(&self.words[at..at + n]),
+        });
     }
 
-    /// Copies the colour of row `k` of bins to its pixels' rows of bytes.
+    /// Copies all samples from rows.
+    pub fn write(&mut self, rows: &[u32]) {
+        let mut all = std::mem::take(&mut self.words);
+        self.runs(|at, row, n| all[at..at + n].copy_from_slice(&rows[row..row + n]));
+        self.words = all;
+    }
+
+    /// Copies row `k` of bins to its pixels' rows of bytes; of a plane of one sample.
     pub fn copy_band(&self, k: u32, lines: &mut [&mut [u8]]) {
-        let words = self.format.color.words();
+        let words = self.format.words();
         let tile = TILE_SIZE as usize * words;
         for (y, line) in lines.iter_mut().enumerate() {
             let first = (k * self.bins[0]) as usize * BIN_PIXELS + pixel_index(0, y as u32);
@@ -94,53 +108,87 @@ impl Store {
                 let at = (first + t / 8 * BIN_PIXELS + t % 8 * 64) * words;
                 match <&mut [u8; 32]>::try_from(&mut *out) {
                     // A copy of known size is one load and one store, not a call.
-                    Ok(out) if words == 1 => *out = bytemuck::cast(*self.color[at..].first_chunk::<8>().expect("a row of a tile")),
-                    _ => out.copy_from_slice(&bytemuck::cast_slice(&self.color[at..])[..out.len()]),
+                    Ok(out) if words == 1 => *out = bytemuck::cast(*self.words[at..].first_chunk::<8>().expect("a row of a tile")),
+                    _ => out.copy_from_slice(&bytemuck::cast_slice(&self.words[at..])[..out.len()]),
                 }
             }
         }
     }
 
-    /// Copies depth and stencil to pixels in rows.
-    pub fn read_depth_stencil(&self, to: &mut Pixels) {
-        if !self.depth_stencil.is_empty() {
-            copy_rows(self, &self.depth_stencil, &mut to.depth_stencil, 1);
-        }
-    }
-
-    /// Copies from pixels in rows.
-    pub fn write(&mut self, from: &Pixels) {
-        let words = self.format.color.words();
-        let depth = !self.depth_stencil.is_empty();
-        let (color, ds) = (&mut self.color, &mut self.depth_stencil);
-        Store::runs(self.size, self.bins[0], |at, row, n| {
-            color[at * words..(at + n) * words].copy_from_slice(&from.color[row * words..(row + n) * words]);
-            if depth {
-                ds[at..at + n].copy_from_slice(&from.depth_stencil[row..row + n]);
-            }
-        });
+    /// Bins, to be resolved one by one: each of `self` beside its samples in `from`, a plane of the same size and format.
+    pub fn resolve_bins<'a>(&'a mut self, from: &'a Store) -> impl Iterator<Item = (&'a mut [u32], &'a [u32])> {
+        let (words, samples) = (self.bin_words(), from.bin_words());
+        self.words.chunks_mut(words).zip(from.words.chunks(samples))
     }
 }
 
-/// Copies words of a store to rows.
-fn copy_rows(store: &Store, from: &[u32], to: &mut [u32], words: usize) {
-    if words != 1 {
-        return Store::runs(store.size, store.bins[0], |at, row, n| {
-            to[row * words..(row + n) * words].copy_from_slice(&from[at * words..(at + n) * words]);
-        });
+/// Resolves a bin: each pixel becomes the mean of its samples.
+pub fn resolve(format: PlaneFormat, bin: &mut [u32], from: &[u32]) {
+    let PlaneFormat::Color(color) = format else { return bin.copy_from_slice(&from[..bin.len()]) };
+    let planes: Vec<&[u32]> = from.chunks_exact(bin.len()).collect();
+    if matches!(color, ColorFormat::Rgba8 | ColorFormat::Rgbx8) && planes.len().is_power_of_two() {
+        return resolve_bytes(bin, &planes);
     }
-    for (y, row) in to.chunks_exact_mut(store.size[0].max(1) as usize).enumerate() {
-        let y = y as u32;
-        let line = (y / BIN_SIZE * store.bins[0]) as usize * BIN_PIXELS + pixel_index(0, y % BIN_SIZE);
-        let (eights, rest) = row.as_chunks_mut::<8>();
-        for (k, eight) in eights.iter_mut().enumerate() {
-            let at = line + k / 8 * BIN_PIXELS + k % 8 * 64;
-            // A copy of known size is one load and one store, not a call.
-            *eight = *from[at..].first_chunk().expect("a row of a tile");
+    let words = format.words();
+    let mut pixel: Vec<&[u32]> = Vec::with_capacity(planes.len());
+    for (k, out) in bin.chunks_exact_mut(words).enumerate() {
+        pixel.clear();
+        pixel.extend(planes.iter().map(|p| &p[k * words..][..words]));
+        samples::mean(color, &pixel, out);
+    }
+}
+
+/// The same of four bytes a pixel, two bytes at a time: 16 bits hold the sum of 16 samples.
+fn resolve_bytes(bin: &mut [u32], planes: &[&[u32]]) {
+    let shift = planes.len().ilog2();
+    let half = (planes.len() as u32 / 2) * 0x0001_0001;
+    let low = 0x00ff_00ff;
+    for (k, out) in bin.chunks_exact_mut(64).enumerate() {
+        let (mut even, mut odd) = ([half; 64], [half; 64]);
+        for plane in planes {
+            for (i, word) in plane[k * 64..][..64].iter().enumerate() {
+                even[i] += word & low;
+                odd[i] += word >> 8 & low;
+            }
         }
-        let k = eights.len();
-        let at = line + k / 8 * BIN_PIXELS + k % 8 * 64;
-        let n = rest.len();
-        rest.copy_from_slice(&from[at.min(from.len() - n)..][..n]);
+        for (i, out) in out.iter_mut().enumerate() {
+            *out = even[i] >> shift & low | (odd[i] >> shift & low) << 8;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::device::DepthFormat;
+
+    #[test]
+    fn rows_survive_the_store() {
+        for (format, samples) in [
+            (PlaneFormat::Color(ColorFormat::Rgba8), 1),
+            (PlaneFormat::Color(ColorFormat::Rgba16), 4),
+            (PlaneFormat::DepthStencil { depth: DepthFormat::D24, stencil: true }, 2),
+        ] {
+            let mut store = Store::new([150, 70], samples, format);
+            let rows: Vec<u32> = (0..150 * 70 * samples * format.words() as u32).collect();
+            store.write(&rows);
+            let mut back = vec![0; rows.len()];
+            store.read(&mut back);
+            assert!(rows == back);
+        }
+    }
+
+    #[test]
+    fn both_ways_to_resolve_agree() {
+        let format = PlaneFormat::Color(ColorFormat::Rgba8);
+        let from: Vec<u32> = (0..8 * BIN_PIXELS as u32).map(|k| k.wrapping_mul(0x9e37_79b9)).collect();
+        let mut bin = vec![0; BIN_PIXELS];
+        resolve(format, &mut bin, &from);
+        for (k, out) in bin.iter().enumerate() {
+            let pixel: Vec<&[u32]> = (0..8).map(|s| &from[s * BIN_PIXELS + k..][..1]).collect();
+            let mut mean = [0];
+            samples::mean(ColorFormat::Rgba8, &pixel, &mut mean);
+            assert_eq!(*out, mean[0]);
+        }
     }
 }

@@ -9,7 +9,7 @@ use super::layout::*;
 use super::simd::{Level, Portable};
 use super::tile::LocalEdges;
 use crate::device::cpu::{CpuDevice, CpuSurface};
-use crate::device::{ColorFormat, DepthFormat, Surface, SurfaceFormat};
+use crate::device::{ColorFormat, DepthFormat, Device, Surface, SurfaceFormat};
 use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
 use crate::draw::{Batch, Clear, Draw, Step};
 use crate::program::fixed::{Base, FragmentKey, UnitKey, fragment_program};
@@ -143,8 +143,9 @@ fn draw_program<const STRIDE: usize>(
     textures: Vec<TextureBinding>,
 ) -> (Vec<u32>, Vec<u32>) {
     let (width, height) = (200, 150);
-    let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true };
-    let mut surface = CpuSurface::new(&CpuDevice::with(threads, level), width, height, format);
+    let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true, samples: 1 };
+    let device = CpuDevice::with(threads, level);
+    let mut surface = CpuSurface::new(&device, device.target(width, height, format));
     let mut raster = RasterState::zeroed();
     raster.polygon_mode = [topology::TRIANGLES; 2];
     raster.viewport_scale = [100.0, -75.0, 0.5];
@@ -178,7 +179,7 @@ fn draw_program<const STRIDE: usize>(
     };
     surface.execute_shaded(&batch, vertices.as_flattened().to_vec());
     let pixels = surface.pixels();
-    (pixels.color.clone(), pixels.depth_stencil.clone())
+    (pixels.color.to_vec(), pixels.depth_stencil.to_vec())
 }
 
 fn soup(seed: u64, count: usize, reach: f32) -> Vec<[[f32; 4]; 2]> {
@@ -275,10 +276,11 @@ fn a_modulated_texture_has_the_bits_of_its_program() {
 #[test]
 fn colour_is_copied_to_any_rows() {
     let (width, height) = (150u32, 70u32);
-    let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true };
-    let mut surface = CpuSurface::new(&CpuDevice::with(2, Level::best()), width, height, format);
+    let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true, samples: 1 };
+    let device = CpuDevice::with(2, Level::best());
+    let mut surface = CpuSurface::new(&device, device.target(width, height, format));
     let mut random = Random(10);
-    surface.pixels_mut().color.iter_mut().for_each(|c| *c = random.bits());
+    surface.pixels().color.iter_mut().for_each(|c| *c = random.bits());
     // Once from the pixels that were changed, once from the store.
     for drawn in [false, true] {
         if drawn {

@@ -32,7 +32,7 @@ pub fn present(content: &mut Content) {
         let out = unsafe { std::slice::from_raw_parts_mut(target.address as *mut u8, length * 4) };
         return window.copy_color(out, row_length * 4, target.y_up);
     }
-    let pixels = if target.depth.is_empty() { window.color_pixels() } else { window.pixels() };
+    let pixels = &if target.depth.is_empty() { window.color_pixels() } else { window.pixels() };
     let (width, height) = (pixels.width as usize, pixels.height as usize);
     let bytes = bytes_per_pixel(target.format, target.kind);
     // A negative row length would leave the buffer; Mesa crashes.

@@ -99,7 +99,9 @@ pub unsafe extern "C" fn OSMesaGetColorBuffer(
 pub fn copy_depth(pixels: &Pixels, out: &mut Vec<u8>) {
     out.clear();
     let width = pixels.width as usize;
-    for row in pixels.depth_stencil.chunks_exact(width.max(1)).rev() {
+    // The first sample of each pixel.
+    let first = &pixels.depth_stencil[..pixels.depth_stencil.len() / pixels.format.samples as usize];
+    for row in first.chunks_exact(width.max(1)).rev() {
         if pixels.format.depth == DepthFormat::D16 {
             row.iter().for_each(|word| out.extend_from_slice(&(*word as u16).to_ne_bytes()));
         } else {
@@ -116,7 +118,7 @@ fn depth_buffer(context: Handle) -> Option<(c_int, c_int, c_int, *mut c_void)> {
         return None;
     }
     content.context.flush_batch();
-    let pixels = content.context.window.as_mut()?.pixels();
+    let pixels = &content.context.window.as_mut()?.pixels();
     // The pointer stays the same from call to call: the copy has one size as long as the surface has.
     copy_depth(pixels, &mut content.target.depth);
     let bytes = if pixels.format.depth == DepthFormat::D16 { 2 } else { 4 };

@@ -37,7 +37,8 @@ pub struct Options {
     json: Option<PathBuf>,
 }
 
-const FORMAT: SurfaceFormat = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true };
+const FORMAT: SurfaceFormat =
+    SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true, samples: 1 };
 
 /// Everything measured of a scene at a size.
 #[derive(Debug, Serialize)]
@@ -71,14 +72,14 @@ fn medians(frames: &[Vec<StageTime>]) -> Vec<(&'static str, f64)> {
 
 fn difference(cpu: &Pixels, gpu: &Pixels) -> [u32; 4] {
     let mut d = [0; 4];
-    for (a, b) in cpu.color.iter().zip(&gpu.color) {
+    for (a, b) in cpu.color.iter().zip(gpu.color.iter()) {
         d[0] += ((*a == 0) != (*b == 0)) as u32;
         d[1] += (a != b) as u32;
         for (x, y) in a.to_le_bytes().into_iter().zip(b.to_le_bytes()) {
             d[2] = d[2].max(x.abs_diff(y) as u32);
         }
     }
-    for (a, b) in cpu.depth_stencil.iter().zip(&gpu.depth_stencil) {
+    for (a, b) in cpu.depth_stencil.iter().zip(gpu.depth_stencil.iter()) {
         d[3] = d[3].max(a.abs_diff(*b));
     }
     d
@@ -103,7 +104,7 @@ pub fn main(options: &Options) -> Result<bool, Error> {
             let against_cpu = options.check.then(|| {
                 let mut cpu = CpuDevice::new().surface(size[0], size[1], FORMAT);
                 cpu.execute(batch.clone());
-                difference(cpu.pixels(), surface.pixels())
+                difference(&cpu.pixels(), &surface.pixels())
             });
             println!(
                 "S{id} {:>4}x{:<4} {:8.3} {:8.3} {:8.3}  {:7.0} Mtri/s",

@@ -18,7 +18,7 @@ use super::stage::{CLEAR_ROWS, Stage, VISIBLE_LANES, Visible, emit_lanes};
 use super::surface::stats_level;
 use super::texture::Heap;
 use super::visible;
-use crate::device::{Pixels, SurfaceFormat};
+use crate::device::SurfaceFormat;
 use crate::draw::{Batch, Step};
 use crate::raster::layout::{BIN_SIZE, raster_flags};
 
@@ -40,6 +40,8 @@ pub struct Buffers {
     pub color: wgpu::Buffer,
     /// The pixels' depth and stencil.
     pub depth: wgpu::Buffer,
+    /// What stands for them where there are none.
+    no_depth: wgpu::Buffer,
     uniforms: Growing,
     vertices: Growing,
     primitives: Growing,
@@ -63,15 +65,15 @@ pub struct Buffers {
 
 impl Buffers {
     /// Small ones, but for the pixels.
-    pub fn new(gpu: &Gpu, pixels: &Pixels) -> Buffers {
+    pub fn new(gpu: &Gpu) -> Buffers {
         let device = &gpu.device;
         let storage = wgpu::BufferUsages::STORAGE;
-        let pixel_usage = storage | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
         let growing = |label| Growing::new(device, label, storage);
         let indirect = storage | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_SRC;
         Buffers {
-            color: create(device, "colour", pixel_usage, pixels.color.len() as u64 * 4),
-            depth: create(device, "depth", pixel_usage, pixels.depth_stencil.len() as u64 * 4),
+            color: create(device, "no colour", storage, 0),
+            depth: create(device, "no depth", storage, 0),
+            no_depth: create(device, "no depth", storage, 0),
             uniforms: growing("uniforms"),
             vertices: growing("vertices"),
             primitives: growing("primitives"),
@@ -150,6 +152,20 @@ impl Executor {
             bound: None,
             pending: None,
         }
+    }
+
+    /// Draws into other buffers, or the same ones, from now on. Nothing may be left of the batch before.
+    pub fn retarget(&mut self, color: wgpu::Buffer, depth: Option<wgpu::Buffer>, size: [u32; 2], format: SurfaceFormat) {
+        let depth = depth.unwrap_or_else(|| self.buffers.no_depth.clone());
+        if (size, format.samples) != (self.size, self.format.samples) {
+            self.room = Room::new(self.kernels.config.buffer_limit, bins_of(size));
+            self.buffers.keys = None;
+        }
+        if color != self.buffers.color || depth != self.buffers.depth || self.buffers.keys.is_none() {
+            self.bound = None;
+        }
+        (self.buffers.color, self.buffers.depth) = (color, depth);
+        (self.size, self.format) = (size, format);
     }
 
     /// Runs a batch, after what is left of the one before.

@@ -25,11 +25,11 @@ mod visible;
 
 use std::sync::Arc;
 
-use super::{Device, Surface, SurfaceFormat};
+use super::{Device, PlaneFormat, SharedPlane, Surface, SurfaceFormat, Target};
 pub use adapter::{Config, Shape};
 use kernels::Kernels;
 pub use profile::StageTime;
-pub use surface::GpuSurface;
+pub use surface::{GpuPlane, GpuSurface};
 
 /// A Vulkan device that runs the kernels.
 pub struct GpuDevice {
@@ -58,7 +58,7 @@ impl GpuDevice {
 
     /// A surface with the GPU's own methods.
     pub fn gpu_surface(&self, width: u32, height: u32, format: SurfaceFormat) -> GpuSurface {
-        GpuSurface::new(self.gpu, self.kernels.clone(), width, height, format)
+        GpuSurface::new(self.gpu, self.kernels.clone(), self.target(width, height, format))
     }
 }
 
@@ -67,7 +67,11 @@ impl Device for GpuDevice {
         format!("{}, {}, {} lanes", self.gpu.info.name, self.gpu.info.driver_info, self.kernels.config.shape.fine_lanes)
     }
 
-    fn surface(&self, width: u32, height: u32, format: SurfaceFormat) -> Box<dyn Surface> {
-        Box::new(self.gpu_surface(width, height, format))
+    fn plane(&self, size: [u32; 2], samples: u32, format: PlaneFormat) -> SharedPlane {
+        GpuPlane::plane(self.gpu, size, samples, format)
+    }
+
+    fn surface_on(&self, target: Target) -> Box<dyn Surface> {
+        Box::new(GpuSurface::new(self.gpu, self.kernels.clone(), target))
     }
 }

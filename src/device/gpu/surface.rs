@@ -1,5 +1,6 @@
-//! A surface whose pixels live on the GPU.
+//! A surface whose planes live on the GPU.
 
+use std::any::Any;
 use std::sync::Arc;
 
 use bytemuck::cast_slice;
@@ -9,24 +10,72 @@ use super::buffers::create;
 use super::execute::{Buffers, Executor};
 use super::kernels::Kernels;
 use super::profile::StageTime;
-use crate::device::{Pixels, Surface, SurfaceFormat};
+use crate::device::plane::{self, Storage};
+use crate::device::{ColorFormat, Plane, PlaneFormat, SharedPlane, Surface, Target, samples};
 use crate::draw::Batch;
 
-/// Which copy of the pixels is ahead.
-#[derive(Clone, Copy, PartialEq)]
-enum Newer {
-    Same,
-    Gpu,
-    Host,
+/// A plane's pixels on the GPU: rows, sample by sample.
+pub struct GpuPlane {
+    gpu: &'static Gpu,
+    /// The pixels.
+    pub buffer: wgpu::Buffer,
+    readback: Option<wgpu::Buffer>,
+}
+
+impl GpuPlane {
+    /// Of zeros.
+    pub fn plane(gpu: &'static Gpu, size: [u32; 2], samples: u32, format: PlaneFormat) -> SharedPlane {
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
+        let bytes = size[0] as u64 * size[1] as u64 * samples as u64 * format.words() as u64 * 4;
+        let label = if matches!(format, PlaneFormat::Color(_)) { "colour" } else { "depth" };
+        let buffer = create(&gpu.device, label, usage, bytes);
+        Plane::new(size, samples, format, Box::new(GpuPlane { gpu, buffer, readback: None }))
+    }
+}
+
+impl Storage for GpuPlane {
+    fn read(&mut self, rows: &mut [u32]) {
+        let bytes = size_of_val(rows) as u64;
+        if bytes == 0 {
+            return;
+        }
+        let Gpu { device, queue, .. } = self.gpu;
+        let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
+        let readback = self.readback.get_or_insert_with(|| create(device, "readback", usage, bytes));
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.copy_buffer_to_buffer(&self.buffer, 0, readback, 0, bytes);
+        queue.submit([encoder.finish()]);
+        let slice = readback.slice(..bytes);
+        slice.map_async(wgpu::MapMode::Read, |_| {});
+        if let Err(e) = device.poll(wgpu::PollType::wait_indefinitely()) {
+            log::error!(target: "tepui::gpu", "waiting for the GPU: {e}");
+            return;
+        }
+        match slice.get_mapped_range() {
+            Ok(bytes) => bytemuck::cast_slice_mut::<u32, u8>(rows).copy_from_slice(&bytes),
+            Err(e) => log::error!(target: "tepui::gpu", "reading pixels back: {e}"),
+        }
+        readback.unmap();
+    }
+
+    fn write(&mut self, rows: &[u32]) {
+        if !rows.is_empty() {
+            self.gpu.queue.write_buffer(&self.buffer, 0, cast_slice(rows));
+        }
+    }
+
+    fn as_any(&mut self) -> &mut dyn Any {
+        self
+    }
 }
 
 /// A surface of the GPU executor.
 pub struct GpuSurface {
     gpu: &'static Gpu,
     executor: Executor,
-    readback: Option<wgpu::Buffer>,
-    pixels: Pixels,
-    newer: Newer,
+    target: Target,
+    /// What the samples of a pixel amount to, made when it is first asked for, and the version of the samples.
+    resolved: Option<(SharedPlane, u64)>,
 }
 
 /// `TEPUI_STATS`: 1 says what a batch held, 2 adds the times of its stages.
@@ -35,92 +84,87 @@ pub fn stats_level() -> u32 {
     *LEVEL.get_or_init(|| std::env::var("TEPUI_STATS").ok().and_then(|v| v.parse().ok()).unwrap_or(0))
 }
 
+/// The buffer of a plane that is about to be drawn into.
+fn buffer(plane: &SharedPlane) -> Option<wgpu::Buffer> {
+    plane::lock(plane).storage_mut::<GpuPlane>().map(|plane| plane.buffer.clone())
+}
+
 impl GpuSurface {
-    /// Zeroed pixels.
-    pub fn new(gpu: &'static Gpu, kernels: Arc<Kernels>, width: u32, height: u32, format: SurfaceFormat) -> GpuSurface {
-        let pixels = Pixels::new(width, height, format);
-        let executor = Executor::new(gpu, kernels, Buffers::new(gpu, &pixels), [width, height], format);
-        GpuSurface { gpu, executor, readback: None, pixels, newer: Newer::Same }
+    /// A surface on planes of the GPU.
+    pub fn new(gpu: &'static Gpu, kernels: Arc<Kernels>, target: Target) -> GpuSurface {
+        let executor = Executor::new(gpu, kernels, Buffers::new(gpu), target.size, target.format);
+        GpuSurface { gpu, executor, target, resolved: None }
+    }
+
+    /// Binds the target's planes, host changes uploaded; false where there is nothing to draw into.
+    fn bind(&mut self) -> bool {
+        if self.target.size.contains(&0) {
+            return false;
+        }
+        let Some(color) = buffer(&self.target.color) else { return false };
+        let depth = self.target.depth.as_ref().and_then(buffer);
+        self.executor.retarget(color, depth, self.target.size, self.target.format);
+        true
     }
 
     /// Draws a batch again and again and measures it: see [`Executor::timed`].
     pub fn timed(&mut self, batch: &Batch, frames: usize, stages: bool) -> Vec<Vec<StageTime>> {
-        self.newer = Newer::Gpu;
-        self.executor.timed(batch, frames, stages)
+        if self.bind() { self.executor.timed(batch, frames, stages) } else { Vec::new() }
     }
 
     /// Bytes of the buffers that grow with a batch, by name.
     pub fn memory(&self) -> Vec<(&'static str, u64)> {
         self.executor.memory()
     }
-
-    fn upload_pixels(&mut self) {
-        let queue = &self.gpu.queue;
-        if !self.pixels.color.is_empty() {
-            queue.write_buffer(&self.executor.buffers.color, 0, cast_slice(&self.pixels.color));
-        }
-        if !self.pixels.depth_stencil.is_empty() {
-            queue.write_buffer(&self.executor.buffers.depth, 0, cast_slice(&self.pixels.depth_stencil));
-        }
-        self.newer = Newer::Same;
-    }
-
-    fn download_pixels(&mut self) {
-        self.newer = Newer::Same;
-        let (color, depth) = (self.pixels.color.len() as u64 * 4, self.pixels.depth_stencil.len() as u64 * 4);
-        if color + depth == 0 {
-            return;
-        }
-        let Gpu { device, queue, .. } = self.gpu;
-        let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
-        let readback = self.readback.get_or_insert_with(|| create(device, "readback", usage, color + depth));
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        encoder.copy_buffer_to_buffer(&self.executor.buffers.color, 0, readback, 0, color);
-        if depth > 0 {
-            encoder.copy_buffer_to_buffer(&self.executor.buffers.depth, 0, readback, color, depth);
-        }
-        queue.submit([encoder.finish()]);
-        let slice = readback.slice(..color + depth);
-        slice.map_async(wgpu::MapMode::Read, |_| {});
-        if let Err(e) = device.poll(wgpu::PollType::wait_indefinitely()) {
-            log::error!(target: "tepui::gpu", "waiting for the GPU: {e}");
-            return;
-        }
-        match slice.get_mapped_range() {
-            Ok(bytes) => {
-                let (c, d) = bytes.split_at(color as usize);
-                bytemuck::cast_slice_mut::<u32, u8>(&mut self.pixels.color).copy_from_slice(c);
-                bytemuck::cast_slice_mut::<u32, u8>(&mut self.pixels.depth_stencil).copy_from_slice(d);
-            }
-            Err(e) => log::error!(target: "tepui::gpu", "reading pixels back: {e}"),
-        }
-        readback.unmap();
-    }
 }
 
 impl Surface for GpuSurface {
+    fn target(&self) -> &Target {
+        &self.target
+    }
+
+    fn retarget(&mut self, target: Target) {
+        self.executor.settle();
+        self.target = target;
+        self.resolved = None;
+    }
+
     fn execute(&mut self, batch: Batch) {
-        if self.pixels.color.is_empty() {
-            return;
+        // What is left of the last batch comes before changes from the host.
+        self.executor.settle();
+        if self.bind() {
+            self.executor.execute(batch);
         }
-        if self.newer == Newer::Host {
-            self.upload_pixels();
-        }
-        self.executor.execute(batch);
-        self.newer = Newer::Gpu;
     }
 
-    fn pixels(&mut self) -> &Pixels {
-        if self.newer == Newer::Gpu {
-            self.executor.settle();
-            self.download_pixels();
-        }
-        &self.pixels
+    fn settle(&mut self) {
+        self.executor.settle();
     }
 
-    fn pixels_mut(&mut self) -> &mut Pixels {
-        self.pixels();
-        self.newer = Newer::Host;
-        &mut self.pixels
+    fn resolved(&mut self) -> &SharedPlane {
+        self.executor.settle();
+        let Target { size, format, .. } = self.target;
+        if format.samples == 1 {
+            return &self.target.color;
+        }
+        let version = plane::lock(&self.target.color).version();
+        let new = || (GpuPlane::plane(self.gpu, size, 1, PlaneFormat::Color(format.color)), u64::MAX);
+        let (plane, of) = self.resolved.get_or_insert_with(new);
+        if std::mem::replace(of, version) != version {
+            resolve(&mut plane::lock(&self.target.color), &mut plane::lock(plane), format.color);
+        }
+        plane
+    }
+}
+
+/// Makes every pixel of `to` the mean of its samples in `from`.
+fn resolve(from: &mut Plane, to: &mut Plane, format: ColorFormat) {
+    let words = format.words();
+    let all: Vec<&[u32]> = from.rows().chunks_exact(to.words().max(1)).collect();
+    let mut pixel: Vec<&[u32]> = Vec::with_capacity(all.len());
+    for (k, out) in to.rows_mut().chunks_exact_mut(words).enumerate() {
+        pixel.clear();
+        pixel.extend(all.iter().map(|s| &s[k * words..][..words]));
+        samples::mean(format, &pixel, out);
     }
 }
