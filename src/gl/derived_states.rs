@@ -169,6 +169,7 @@ impl Context {
             logic_op: color.logic_op.wrapping_sub(GL_CLEAR) & 15,
             color_mask: if color.draw_buffer == GL_NONE { 0 } else { mask },
             blend_color: color.blend_color,
+            dropped_samples: 0,
         }
     }
 }

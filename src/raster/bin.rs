@@ -42,9 +42,12 @@ impl BinLists {
                 }
             } else {
                 let edges = Edges::new(t);
+                // Samples lie within half a pixel of the centres.
+                let margin = (t.flags & triangle_flags::MULTISAMPLE != 0) as i32;
                 for y in y0..=y1 {
                     for x in x0..=x1 {
-                        if edges.may_touch((x * BIN_SIZE) as i32, (y * BIN_SIZE) as i32, BIN_SIZE as i32 - 1) {
+                        if edges.may_touch((x * BIN_SIZE) as i32 - margin, (y * BIN_SIZE) as i32 - margin, BIN_SIZE as i32 - 1 + 2 * margin)
+                        {
                             touch(x, y);
                         }
                     }

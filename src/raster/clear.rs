@@ -17,15 +17,16 @@ pub fn run(clear: &Clear, format: SurfaceFormat, bin: &mut BinPixels) {
     }
     let whole = columns.len() == side as usize && rows.len() == side as usize;
     // Calls f for each run of pixels that are neighbours in the store.
+    let samples = format.samples as usize;
     let runs = |f: &mut dyn FnMut(std::ops::Range<usize>)| {
         if whole {
-            return f(0..BIN_PIXELS);
+            return f(0..samples * BIN_PIXELS);
         }
-        for y in rows.clone() {
+        for (sample, y) in (0..samples).flat_map(|s| rows.clone().map(move |y| (s, y))) {
             let mut x = columns.start;
             while x < columns.end {
                 let end = (x / 8 * 8 + 8).min(columns.end);
-                let at = pixel_index(x as u32, y as u32);
+                let at = sample * BIN_PIXELS + pixel_index(x as u32, y as u32);
                 f(at..at + (end - x) as usize);
                 x = end;
             }

@@ -25,7 +25,12 @@ pub const COPY: u32 = 4;
 pub fn choose(state: &FragmentState, format: SurfaceFormat, direct: bool, write_mask: u32) -> u32 {
     // By name: a glob import would hide this module's `BLEND`.
     use fragment_flags::{ALPHA_TEST, DEPTH_TEST, DEPTH_WRITE, LOGIC_OP, STENCIL_TEST};
-    if !direct || format.color != ColorFormat::Rgba8 || write_mask != !0 || state.flags & (STENCIL_TEST | ALPHA_TEST | LOGIC_OP) != 0 {
+    if !direct
+        || format.samples > 1
+        || format.color != ColorFormat::Rgba8
+        || write_mask != !0
+        || state.flags & (STENCIL_TEST | ALPHA_TEST | LOGIC_OP) != 0
+    {
         return NONE;
     }
     let mut mode = 0;

@@ -11,7 +11,8 @@ use super::simd::{Simd, prefetch};
 use super::store::BinPixels;
 use super::tile::{FULL, LocalEdges, rectangle_mask};
 use super::write::{Color, is_bytes, write};
-use super::{blend, clear, depth_stencil, fast, modulate};
+use super::{blend, clear, depth_stencil, fast, modulate, samples};
+use crate::device::samples::MAX_SAMPLES;
 use crate::device::{ColorFormat, SurfaceFormat};
 use crate::draw::texture::{TextureBinding, TextureKind};
 use crate::draw::{Batch, Clear};
@@ -47,7 +48,8 @@ pub struct Plan<'a> {
     pub record: &'a DrawRecord,
     /// Per-fragment operations.
     pub state: &'a FragmentState,
-    program: &'a Program,
+    /// The fragment program.
+    pub program: &'a Program,
     /// The colour is this varying: no program runs.
     pub direct: Option<usize>,
     /// The colour is a varying times a texel: no program runs.
@@ -57,7 +59,7 @@ pub struct Plan<'a> {
     /// There is any depth or stencil test.
     pub tests: bool,
     /// Rows of the polygon stipple.
-    stipple: Option<&'a [u32; 32]>,
+    pub stipple: Option<&'a [u32; 32]>,
     /// Largest depth value.
     pub depth_scale: f32,
     /// What depth is clamped to.
@@ -139,7 +141,7 @@ impl Plan<'_> {
 #[derive(Clone, Copy, Default)]
 pub struct Row {
     /// Its first pixel in the bin.
-    at: u32,
+    pub at: u32,
     /// Pixels covered (and not yet rejected).
     pub mask: u32,
     /// Lane of its first covered pixel; the others follow, up to `end`.
@@ -149,15 +151,19 @@ pub struct Row {
     /// Its first pixel on the surface.
     pub place: [i32; 2],
     /// Index of the work that its triangle belongs to.
-    work: u32,
+    pub work: u32,
     /// First of the triangle's planes.
-    planes: u32,
+    pub planes: u32,
     /// Front-facing.
     pub front: bool,
     /// [`triangle_flags::PERSPECTIVE`]
     pub perspective: bool,
-    /// Quantised depth.
-    z: [u32; 8],
+    /// Quantised depth; of samples it is worked out when it is wanted.
+    pub z: [u32; 8],
+    /// Pixels of which each sample is covered, on a surface with samples, and whether these have depths of their own.
+    pub samples: [u8; MAX_SAMPLES as usize],
+    /// See `samples`.
+    pub several: bool,
 }
 
 impl Scene<'_> {
@@ -264,6 +270,9 @@ fn prefetch_after(chunk: &Chunk, list: &[u32]) {
 fn triangle<S: Simd>(worker: &mut Worker, scene: &Scene, t: &Triangle, planes: &[[f32; 4]], bin: &mut BinPixels) {
     let plan = &scene.plans[t.draw as usize];
     let local = LocalEdges::<S>::new(t, bin.origin[0], bin.origin[1]);
+    if scene.format.samples > 1 {
+        return samples::tiles::<S>(worker, scene, plan, t, &local, planes, bin);
+    }
     match plan.fast {
         fast::DEPTH => tiles::<S, { fast::DEPTH }>(worker, scene, plan, t, &local, planes, bin),
         fast::BLEND => tiles::<S, { fast::BLEND }>(worker, scene, plan, t, &local, planes, bin),
@@ -320,7 +329,8 @@ fn tiles<S: Simd, const MODE: u32>(
     }
 }
 
-fn stipple_mask(stipple: &[u32; 32], scene: &Scene, x: i32, y: i32) -> u64 {
+/// The polygon stipple on a tile whose first pixel is (x, y).
+pub fn stipple_mask(stipple: &[u32; 32], scene: &Scene, x: i32, y: i32) -> u64 {
     let mut mask = 0;
     for row in 0..8 {
         let y = y + row;
@@ -333,8 +343,16 @@ fn stipple_mask(stipple: &[u32; 32], scene: &Scene, x: i32, y: i32) -> u64 {
 
 /// A plane at eight pixels: fma(y, dy, fma(x, dx, a0)).
 #[inline(always)]
-fn at<S: Simd>(a0: f32, dx: f32, dy: f32, x: S::F, y: S::F) -> S::F {
+pub fn at<S: Simd>(a0: f32, dx: f32, dy: f32, x: S::F, y: S::F) -> S::F {
     S::fma(y, S::f(dy), S::fma(x, S::f(dx), S::f(a0)))
+}
+
+/// The quantised depth of a triangle at eight places.
+#[inline(always)]
+pub fn depth<S: Simd>(plan: &Plan, planes: &[[f32; 4]], x: S::F, y: S::F) -> S::I {
+    let (head, tail) = (planes[0], planes[1]);
+    let z = S::add(at::<S>(head[0], head[1], head[2], x, y), S::f(tail[2]));
+    depth_stencil::quantize::<S>(z, plan.depth_range, plan.depth_scale)
 }
 
 /// Eight words from `at` on.
@@ -361,10 +379,8 @@ fn row_of_pixels<S: Simd>(
     let front = t.flags & triangle_flags::FRONT != 0;
     let mut mask = S::mask(bits);
     let mut z = S::i(0);
-    let head = (planes[0], planes[1]);
-    let z_float = S::add(at::<S>(head.0[0], head.0[1], head.0[2], x, y), S::f(head.1[2]));
     if plan.tests {
-        z = depth_stencil::quantize::<S>(z_float, plan.depth_range, plan.depth_scale);
+        z = depth::<S>(plan, planes, x, y);
         if plan.early {
             mask = depth_stencil::test::<S>(plan.state, front, z, mask, row8(bin.depth_stencil, pixel));
             if S::signs(mask) == 0 {
@@ -373,27 +389,39 @@ fn row_of_pixels<S: Simd>(
         }
     }
     if let Some(k) = plan.direct {
-        let mut reciprocal = S::f(1.0);
-        if t.flags & triangle_flags::PERSPECTIVE != 0 {
-            reciprocal = S::div(reciprocal, at::<S>(head.0[3], head.1[0], head.1[1], x, y));
-        }
-        let color = varying::<S>(plan, planes, t, k, x, y, reciprocal);
-        let bytes = if is_bytes(scene.format) { blend::quantize4::<S>(color) } else { S::i(0) };
-        write::<S>(plan, scene.format, bin, pixel, front, z, mask, Color { bytes, columns: color });
+        let color = direct_color::<S>(scene, plan, t, planes, k, x, y);
+        write::<S>(plan, scene.format, bin, pixel, front, z, mask, color);
         return;
     }
-    let mask = S::signs(mask);
-    let perspective = t.flags & triangle_flags::PERSPECTIVE != 0;
-    let (start, end) = (worker.lanes as u32, worker.lanes as u32 + mask.count_ones());
-    let row = &mut worker.queue[worker.queued];
-    *row = Row { at: pixel as u32, mask, start, end, place, work: worker.work, planes: t.planes, front, perspective, z: [0; 8] };
+    let mut row = Row { at: pixel as u32, mask: S::signs(mask), place, ..Row::default() };
     S::store_u(z, &mut row.z);
+    queue::<S>(worker, scene, t, bin, row);
+}
+
+/// Lets a row wait for its colour. `row` says which pixels it has.
+#[inline(always)]
+pub fn queue<S: Simd>(worker: &mut Worker, scene: &Scene, t: &Triangle, bin: &mut BinPixels, row: Row) {
+    let perspective = t.flags & triangle_flags::PERSPECTIVE != 0;
+    let (start, end) = (worker.lanes as u32, worker.lanes as u32 + row.mask.count_ones());
+    let front = t.flags & triangle_flags::FRONT != 0;
+    worker.queue[worker.queued] = Row { start, end, work: worker.work, planes: t.planes, front, perspective, ..row };
     worker.queued += 1;
     worker.lanes = end as usize;
     // The next row may hold eight fragments.
     if worker.lanes > LANES * GROUPS - 8 {
         flush::<S>(worker, scene, t.draw, bin);
     }
+}
+
+/// The colour of eight pixels, where it is a varying.
+#[inline(always)]
+pub fn direct_color<S: Simd>(scene: &Scene, plan: &Plan, t: &Triangle, planes: &[[f32; 4]], k: usize, x: S::F, y: S::F) -> Color<S> {
+    let mut reciprocal = S::f(1.0);
+    if t.flags & triangle_flags::PERSPECTIVE != 0 {
+        reciprocal = S::div(reciprocal, at::<S>(planes[0][3], planes[1][0], planes[1][1], x, y));
+    }
+    let columns = varying::<S>(plan, planes, t, k, x, y, reciprocal);
+    Color { bytes: if is_bytes(scene.format) { blend::quantize4::<S>(columns) } else { S::i(0) }, columns }
 }
 
 /// Varying `k` at eight pixels.
@@ -494,7 +522,7 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
                 plan.depth_scale,
             );
         }
-        let (pixel, mask) = (row.at as usize, S::mask(bits));
+        let pixel = row.at as usize;
         let mut color = Color { bytes: S::i(0), columns: [S::f(0.0); 4] };
         if is_bytes(scene.format) {
             color.bytes = S::expand(S::load_u(eight(&worker.bytes, start)), row.mask);
@@ -504,6 +532,22 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
                 color.columns[c] = S::from_bits(S::expand(S::bits(column), row.mask));
             }
         }
-        write::<S>(plan, scene.format, bin, pixel, row.front, z, mask, color);
+        if scene.format.samples > 1 {
+            let place = samples::Place { pixel, place: row.place, front: row.front };
+            let computed = plan.program.writes_depth.then_some(z);
+            samples::write::<S>(
+                plan,
+                scene,
+                scene.planes(row),
+                bin,
+                place,
+                row.samples.map(|s| s & bits as u8),
+                color,
+                computed,
+                row.several,
+            );
+        } else {
+            write::<S>(plan, scene.format, bin, pixel, row.front, z, S::mask(bits), color);
+        }
     }
 }

@@ -169,6 +169,8 @@ pub mod raster_flags {
     pub const WINDOW_SPACE: u32 = 1 << 9;
     /// Near and far planes do not clip (ARB_depth_clamp; pixel rectangles).
     pub const NO_Z_CLIP: u32 = 1 << 10;
+    /// Each sample of a pixel is covered on its own; otherwise all are where the pixel's centre is.
+    pub const MULTISAMPLE: u32 = 1 << 11;
 }
 
 /// State of the per-fragment operations.
@@ -195,6 +197,8 @@ pub struct FragmentState {
     pub color_mask: u32,
     /// Constant blend colour.
     pub blend_color: [f32; 4],
+    /// Samples that are never written (the sample coverage): a bit each.
+    pub dropped_samples: u32,
 }
 
 /// Stencil state of one face.
@@ -229,6 +233,10 @@ pub mod fragment_flags {
     pub const BLEND: u32 = 1 << 4;
     /// Logic op on (blending is then off).
     pub const LOGIC_OP: u32 = 1 << 5;
+    /// Of n samples, sample k is covered only where alpha is greater than k / n.
+    pub const ALPHA_TO_COVERAGE: u32 = 1 << 6;
+    /// Alpha counts as 1 after that.
+    pub const ALPHA_TO_ONE: u32 = 1 << 7;
 }
 
 /// Comparison functions: GL's function minus GL_NEVER.
@@ -322,7 +330,12 @@ pub mod triangle_flags {
     pub const BOTTOM_UP: u32 = 1 << 3;
     /// The scissor cuts its bounds: coverage has to be looked at against `columns` and `rows`.
     pub const CUT: u32 = 1 << 4;
+    /// Each sample of a pixel is covered on its own.
+    pub const MULTISAMPLE: u32 = 1 << 5;
 }
+
+/// Subpixels from a pixel's centre to the furthest place of a sample: up or left, down or right. See [`crate::device::samples`].
+pub const SAMPLE_REACH: [i32; 2] = [128, 112];
 
 /// Planes at the head of a triangle's block: z and 1/w at any pixel, `a0 + dx * x + dy * y` with x, y the integer
 /// pixel coordinates, evaluated `fma(y, dy, fma(x, dx, a0))`. 2 vec4.

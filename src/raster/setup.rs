@@ -255,14 +255,16 @@ pub fn polygon_offset(state: &RasterState, p: [[f32; 3]; 3]) -> f32 {
     if offset.is_finite() { offset } else { 0.0 }
 }
 
-/// First and last column and row that a sample may lie in, packed, and [`triangle_flags::CUT`] where the scissor took
-/// some away; `None` where there is none.
+/// First and last column and row that a sample may lie in, packed, and what it adds to the triangle's flags: [`triangle_flags::CUT`] where
+/// the scissor took some away, [`triangle_flags::MULTISAMPLE`]; `None` where there is none.
 #[inline(always)]
 pub fn bounds(x: [i32; 3], y: [i32; 3], state: &RasterState) -> Option<(u32, u32, u32)> {
+    let multisample = state.flags & raster_flags::MULTISAMPLE != 0;
+    let reach = if multisample { SAMPLE_REACH } else { [0; 2] };
     let mut cut = 0;
     let mut range = |v: [i32; 3], k: usize| {
-        let first = (v[0].min(v[1]).min(v[2]) + 255) >> SUBPIXEL_BITS;
-        let last = v[0].max(v[1]).max(v[2]) >> SUBPIXEL_BITS;
+        let first = (v[0].min(v[1]).min(v[2]) - reach[1] + 255) >> SUBPIXEL_BITS;
+        let last = (v[0].max(v[1]).max(v[2]) + reach[0]) >> SUBPIXEL_BITS;
         let (low, high) = (state.scissor_min[k], state.scissor_max[k] - 1);
         if first < low || last > high {
             cut = triangle_flags::CUT;
@@ -270,7 +272,8 @@ pub fn bounds(x: [i32; 3], y: [i32; 3], state: &RasterState) -> Option<(u32, u32
         let (first, last) = (first.max(low), last.min(high));
         (first <= last).then(|| first as u32 | (last as u32) << 16)
     };
-    Some((range(x, 0)?, range(y, 1)?, cut))
+    let (columns, rows) = (range(x, 0)?, range(y, 1)?);
+    Some((columns, rows, cut | if multisample { triangle_flags::MULTISAMPLE } else { 0 }))
 }
 
 /// What all planes of a triangle share.

@@ -132,6 +132,13 @@ fn draw(vertices: &[[[f32; 4]; 2]], topology: u32, flags: u32, threads: usize, l
     draw_program(vertices, topology, flags, threads, level, program(shortcut), Vec::new())
 }
 
+/// What is drawn on: 200 x 150 pixels, scaled up (and then moved by half a pixel), with samples.
+#[derive(Clone, Copy)]
+struct Canvas {
+    scale: u32,
+    samples: u32,
+}
+
 /// Draws shaded vertices (clip position, varyings) as one draw; returns colour and depth.
 fn draw_program<const STRIDE: usize>(
     vertices: &[[[f32; 4]; STRIDE]],
@@ -142,20 +149,49 @@ fn draw_program<const STRIDE: usize>(
     program: Arc<Program>,
     textures: Vec<TextureBinding>,
 ) -> (Vec<u32>, Vec<u32>) {
-    let (width, height) = (200, 150);
-    let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true, samples: 1 };
-    let device = CpuDevice::with(threads, level);
-    let mut surface = CpuSurface::new(&device, device.target(width, height, format));
+    draw_on(Canvas { scale: 1, samples: 1 }, &CpuDevice::with(threads, level), vertices, topology, flags, program, textures)
+}
+
+fn draw_on<const STRIDE: usize>(
+    canvas: Canvas,
+    device: &CpuDevice,
+    vertices: &[[[f32; 4]; STRIDE]],
+    topology: u32,
+    flags: u32,
+    program: Arc<Program>,
+    textures: Vec<TextureBinding>,
+) -> (Vec<u32>, Vec<u32>) {
+    let state = if canvas.samples > 1 { raster_flags::MULTISAMPLE } else { 0 };
+    draw_state(canvas, device, vertices, topology, [flags, state], program, textures)
+}
+
+/// `flags`: of the fragment state and of the raster state.
+fn draw_state<const STRIDE: usize>(
+    canvas: Canvas,
+    device: &CpuDevice,
+    vertices: &[[[f32; 4]; STRIDE]],
+    topology: u32,
+    flags: [u32; 2],
+    program: Arc<Program>,
+    textures: Vec<TextureBinding>,
+) -> (Vec<u32>, Vec<u32>) {
+    let Canvas { scale, samples } = canvas;
+    let (width, height) = (200 * scale, 150 * scale);
+    let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true, samples };
+    let mut surface = CpuSurface::new(device, device.target(width, height, format));
     let mut raster = RasterState::zeroed();
     raster.polygon_mode = [topology::TRIANGLES; 2];
-    raster.viewport_scale = [100.0, -75.0, 0.5];
-    raster.viewport_translate = [100.0, 75.0, 0.5];
+    let (half_width, half_height) = (width as f32 * 0.5, height as f32 * 0.5);
+    let moved = if scale > 1 { 0.5 } else { 0.0 };
+    raster.viewport_scale = [half_width, -half_height, 0.5];
+    raster.viewport_translate = [half_width + moved, half_height + moved, 0.5];
+    raster.flags = flags[1];
     raster.scissor_max = [width as i32, height as i32];
     (raster.line_width, raster.point_size) = (3.0, 4.0);
     raster.depth_range = [0.0, 1.0];
     raster.polygon_stipple = NONE;
     let mut state = FragmentState::zeroed();
-    (state.flags, state.depth_func, state.color_mask) = (flags, compare::LEQUAL, 15);
+    (state.flags, state.depth_func, state.color_mask) = (flags[0], compare::LEQUAL, 15);
     let (s, d) = (blend_factor::SRC_ALPHA, blend_factor::ONE_MINUS_SRC_ALPHA);
     state.blend_factors = [s, d, s, d];
     let mut record = DrawRecord::zeroed();
@@ -319,5 +355,58 @@ fn no_coordinate_does_harm() {
     for topology in [topology::POINTS, topology::LINES, topology::TRIANGLES] {
         let one = draw(&vertices, topology, TESTED | fragment_flags::BLEND, 2, Level::Scalar, Shortcut::None);
         assert!(one == draw(&vertices, topology, TESTED | fragment_flags::BLEND, 1, Level::best(), Shortcut::Varying(0)));
+    }
+}
+
+/// Triangles whose corners lie on the grid of subpixels, some of them long and thin.
+fn on_the_grid(seed: u64, count: usize) -> Vec<[[f32; 4]; 2]> {
+    let mut random = Random(seed);
+    let mut vertices = Vec::new();
+    for k in 0..count {
+        let side = [400, 3000, 200 * 256][k % 3];
+        let corner = [random.below(200 * 256 - side + 1), random.below((150 * 256 - side).max(1))];
+        for _ in 0..3 {
+            let [x, y] = corner.map(|c| c + random.below(side));
+            let (x, y) = (x as f32 / 256.0 / 100.0 - 1.0, 1.0 - (y.min(150 * 256) as f32) / 256.0 / 75.0);
+            vertices.push([[x, y, random.signed(), 1.0], [1.0; 4]]);
+        }
+    }
+    vertices
+}
+
+#[test]
+fn samples_are_covered_as_the_places_where_they_lie() {
+    let device = CpuDevice::with(2, Level::best());
+    for seed in 0..4 {
+        let vertices = on_the_grid(seed, 6);
+        let one = |canvas, shortcut| draw_on(canvas, &device, &vertices, topology::TRIANGLES, 0, program(shortcut), Vec::new()).0;
+        // A sixteenth of a pixel is a pixel here, and places of samples are their centres.
+        let fine = one(Canvas { scale: 16, samples: 1 }, Shortcut::Varying(0));
+        for samples in [2, 4, 8, 16] {
+            for shortcut in [Shortcut::None, Shortcut::Varying(0)] {
+                let colors = one(Canvas { scale: 1, samples }, shortcut);
+                for (s, [x, y]) in crate::device::samples::positions(samples).iter().enumerate() {
+                    for pixel in 0..200 * 150 {
+                        let at = [(pixel % 200 * 16 + 8 + x) as usize, (pixel / 200 * 16 + 8 + y) as usize];
+                        let (sample, place) = (colors[s * 200 * 150 + pixel as usize], fine[at[1] * 3200 + at[0]]);
+                        assert_eq!(sample != 0, place != 0, "sample {s} of {samples} of pixel {} {}", pixel % 200, pixel / 200);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn without_multisampling_all_samples_are_the_pixel() {
+    let vertices = soup(5, 600, 1.3);
+    let flags = TESTED | fragment_flags::BLEND;
+    let (color, depth) = draw(&vertices, topology::TRIANGLES, flags, 2, Level::best(), Shortcut::None);
+    let device = CpuDevice::with(2, Level::best());
+    let canvas = Canvas { scale: 1, samples: 4 };
+    let (colors, depths) = draw_state(canvas, &device, &vertices, topology::TRIANGLES, [flags, 0], program(Shortcut::None), Vec::new());
+    for s in 0..4 {
+        assert!(colors[s * color.len()..][..color.len()] == color);
+        assert!(depths[s * depth.len()..][..depth.len()] == depth);
     }
 }

@@ -12,6 +12,8 @@ use super::simd::Simd;
 pub struct Edges {
     /// At pixel (0, 0).
     pub c: [i64; 3],
+    /// What the division left over, in sixteenths.
+    pub low: [i32; 3],
     /// Step in x.
     pub a: [i32; 3],
     /// Step in y.
@@ -19,9 +21,12 @@ pub struct Edges {
 }
 
 /// The edge functions near one place, an edge a lane (the first three): everything fits 32 bits for offsets up to 63 pixels.
+#[derive(Clone, Copy)]
 pub struct LocalEdges<S: Simd> {
     /// At the place.
     c: S::I,
+    /// Its next four bits.
+    low: S::I,
     /// Step in x.
     a: S::I,
     /// Step in y.
@@ -42,7 +47,7 @@ impl Edges {
     #[inline(always)]
     pub fn new(t: &Triangle) -> Edges {
         let bottom_up = t.flags & triangle_flags::BOTTOM_UP != 0;
-        let mut edges = Edges { c: [0; 3], a: [0; 3], b: [0; 3] };
+        let mut edges = Edges { c: [0; 3], low: [0; 3], a: [0; 3], b: [0; 3] };
         for i in 0..3 {
             let j = (i + 1) % 3;
             let (dcdy, dcdx) = (t.x[i] - t.x[j], t.y[i] - t.y[j]);
@@ -51,11 +56,12 @@ impl Edges {
             let inclusive = dcdx < 0 || dcdx == 0 && (if bottom_up { dcdy > 0 } else { dcdy < 0 });
             c += inclusive as i64;
             (edges.c[i], edges.a[i], edges.b[i]) = ((c - 1) >> SUBPIXEL_BITS, -dcdx, dcdy);
+            edges.low[i] = ((c - 1) >> 4) as i32 & 15;
         }
         edges
     }
 
-    /// Whether a square of pixels from (x, y) to (x + side, y + side) may hold a covered sample.
+    /// Whether a square of pixels from (x, y) to (x + side, y + side) may hold a covered centre.
     #[inline(always)]
     pub fn may_touch(&self, x: i32, y: i32, side: i32) -> bool {
         (0..3).all(|i| {
@@ -91,28 +97,46 @@ impl<S: Simd> LocalEdges<S> {
         // Steps below 2^12 and places below 2^15: products and their differences fit.
         let bias = S::i(2048);
         let beyond = S::andnot(S::i(4095), S::or(S::iadd(dcdy, bias), S::iadd(dcdx, bias)));
-        let c = if S::signs(S::eq(beyond, S::i(0))) & 7 == 7 {
+        let (c, low) = if S::signs(S::eq(beyond, S::i(0))) & 7 == 7 {
             let (px, py) = (S::isub(xi, S::i(x << SUBPIXEL_BITS)), S::isub(yi, S::i(y << SUBPIXEL_BITS)));
             let bottom = if t.flags & triangle_flags::BOTTOM_UP != 0 { S::gt(dcdy, S::i(0)) } else { S::gt(S::i(0), dcdy) };
             let inclusive = S::or(S::gt(S::i(0), dcdx), S::and(S::eq(dcdx, S::i(0)), bottom));
             let c = S::isub(S::imul(dcdx, px), S::imul(dcdy, py));
             // One less where the edge is not inclusive.
-            S::sar::<{ SUBPIXEL_BITS as i32 }>(S::iadd(c, S::xor(inclusive, S::i(-1))))
+            let c = S::iadd(c, S::xor(inclusive, S::i(-1)));
+            (S::sar::<{ SUBPIXEL_BITS as i32 }>(c), S::and(S::sar::<4>(c), S::i(15)))
         } else {
-            let [c0, c1, c2] = Edges::new(t).local(x, y).map(|c| c as u32);
-            S::load_u(&[c0, c1, c2, 0, 0, 0, 0, 0])
+            let edges = Edges::new(t);
+            let load = |[e0, e1, e2]: [i32; 3]| S::load_u(&[e0 as u32, e1 as u32, e2 as u32, 0, 0, 0, 0, 0]);
+            (load(edges.local(x, y)), load(edges.low))
         };
         let lanes = S::load_u(&[0, 1, 2, 3, 4, 5, 6, 7]);
         let (zero, seven) = (S::i(0), S::i(7));
         let positive = S::iadd(S::and(S::gt(a, zero), a), S::and(S::gt(b, zero), b));
         let negative = S::iadd(S::and(S::gt(zero, a), a), S::and(S::gt(zero, b), b));
         let mut local =
-            LocalEdges { c, a, b, reach: [S::imul(positive, seven), S::imul(negative, seven)], along: [zero; 3], down: [zero; 3] };
+            LocalEdges { c, low, a, b, reach: [S::imul(positive, seven), S::imul(negative, seven)], along: [zero; 3], down: [zero; 3] };
         for i in 0..3 {
             local.along[i] = S::imul(S::permute(a, &EDGE[i]), lanes);
             local.down[i] = S::permute(b, &EDGE[i]);
         }
         local
+    }
+
+    /// The edge functions of a sample, by its place from the centre in 1/16 pixel.
+    #[inline(always)]
+    pub fn sample(&self, [x, y]: [i32; 2]) -> Self {
+        let moved = S::iadd(self.low, S::iadd(S::imul(self.a, S::i(x)), S::imul(self.b, S::i(y))));
+        LocalEdges { c: S::iadd(self.c, S::sar::<4>(moved)), ..*self }
+    }
+
+    /// With a reach that holds for all samples, wherever they lie in their pixels.
+    #[inline(always)]
+    pub fn of_all_samples(&self) -> Self {
+        let zero = S::i(0);
+        let size = |v: S::I| S::select(S::gt(zero, v), S::isub(zero, v), v);
+        let more = S::iadd(S::sar::<1>(S::iadd(size(self.a), size(self.b))), S::i(1));
+        LocalEdges { reach: [S::iadd(self.reach[0], more), S::isub(self.reach[1], more)], ..*self }
     }
 }
 

@@ -35,19 +35,33 @@ pub fn write<S: Simd>(
     mut mask: S::I,
     color: Color<S>,
 ) {
-    let state = plan.state;
-    if state.flags & fragment_flags::ALPHA_TEST != 0 {
-        // In the precision of the colour buffer.
-        let alpha = if is_bytes(format) { S::shr::<24>(color.bytes) } else { blend::quantize::<S>(color.columns[3]) };
-        let reference = blend::quantize::<S>(S::f(state.alpha_ref));
-        mask = S::and(mask, depth_stencil::compare_lanes::<S>(state.alpha_func, alpha, reference));
+    if let Some(keep) = passes_alpha::<S>(plan, format, &color) {
+        mask = S::and(mask, keep);
     }
     if !plan.early && plan.tests {
-        mask = depth_stencil::test::<S>(state, front, z, mask, row8(bin.depth_stencil, pixel));
+        mask = depth_stencil::test::<S>(plan.state, front, z, mask, row8(bin.depth_stencil, pixel));
     }
-    if S::signs(mask) == 0 || plan.write_mask == 0 {
-        return;
+    if S::signs(mask) != 0 && plan.write_mask != 0 {
+        write_color::<S>(plan, format, bin, pixel, mask, &color);
     }
+}
+
+/// Lanes that pass the alpha test; `None` where there is none.
+#[inline(always)]
+pub fn passes_alpha<S: Simd>(plan: &Plan, format: SurfaceFormat, color: &Color<S>) -> Option<S::I> {
+    let state = plan.state;
+    if state.flags & fragment_flags::ALPHA_TEST == 0 {
+        return None;
+    }
+    // In the precision of the colour buffer.
+    let alpha = if is_bytes(format) { S::shr::<24>(color.bytes) } else { blend::quantize::<S>(color.columns[3]) };
+    let reference = blend::quantize::<S>(S::f(state.alpha_ref));
+    Some(depth_stencil::compare_lanes::<S>(state.alpha_func, alpha, reference))
+}
+
+/// Blending, logic op and the write.
+#[inline(always)]
+pub fn write_color<S: Simd>(plan: &Plan, format: SurfaceFormat, bin: &mut BinPixels, pixel: usize, mask: S::I, color: &Color<S>) {
     if is_bytes(format) {
         return write_bytes::<S>(plan, format, bin, pixel, mask, color.bytes);
     }
@@ -55,7 +69,7 @@ pub fn write<S: Simd>(
     for c in 0..4 {
         S::store(color.columns[c], &mut columns[c]);
     }
-    formats::write(state, format.color, bin.color, pixel, S::signs(mask), &columns);
+    formats::write(plan.state, format.color, bin.color, pixel, S::signs(mask), &columns);
 }
 
 /// Blends and writes colours of four bytes.

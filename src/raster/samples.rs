@@ -1,0 +1,213 @@
+//! The fine stage on surfaces with several samples a pixel: coverage, depth and stencil by sample, colour once a pixel, at its centre.
+//!
+//! A bin holds its samples one after the other, so that the routines of one sample serve all of them.
+
+use super::fine::{Plan, Row, Scene, Worker, depth, direct_color, queue, row8, stipple_mask};
+use super::layout::*;
+use super::simd::Simd;
+use super::store::{BIN_PIXELS, BinPixels};
+use super::tile::{FULL, LocalEdges, rectangle_mask};
+use super::write::{self, Color, is_bytes};
+use super::{blend, depth_stencil};
+use crate::device::samples::{MAX_SAMPLES, positions};
+
+/// Which of eight pixels in a row, by sample.
+type Covered = [u8; MAX_SAMPLES as usize];
+
+/// A row of eight pixels of a bin.
+#[derive(Clone, Copy)]
+pub struct Place {
+    /// Its first pixel in the bin.
+    pub pixel: usize,
+    /// The same on the surface.
+    pub place: [i32; 2],
+    /// It is of a front face.
+    pub front: bool,
+}
+
+fn union(covered: &Covered) -> u32 {
+    covered.iter().fold(0, |all, &s| all | s as u32)
+}
+
+/// Where a sample of eight pixels lies.
+#[inline(always)]
+fn sample_place<S: Simd>(place: [i32; 2], [x, y]: [i32; 2]) -> (S::F, S::F) {
+    let columns = S::add(S::f(place[0] as f32), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
+    (S::add(columns, S::f(x as f32 / 16.0)), S::f(place[1] as f32 + y as f32 / 16.0))
+}
+
+/// Walks the tiles of a triangle in a bin.
+#[inline(always)]
+pub fn tiles<S: Simd>(
+    worker: &mut Worker,
+    scene: &Scene,
+    plan: &Plan,
+    t: &Triangle,
+    centre: &LocalEdges<S>,
+    planes: &[[f32; 4]],
+    bin: &mut BinPixels,
+) {
+    let [ox, oy] = bin.origin;
+    let columns = ((t.columns & 0xffff) as i32 - ox, (t.columns >> 16) as i32 - ox);
+    let rows = ((t.rows & 0xffff) as i32 - oy, (t.rows >> 16) as i32 - oy);
+    let count = scene.format.samples as usize;
+    let several = t.flags & triangle_flags::MULTISAMPLE != 0;
+    let all = if several { centre.of_all_samples() } else { *centre };
+    let mut edges = [*centre; MAX_SAMPLES as usize];
+    if several {
+        for (edges, &at) in edges.iter_mut().zip(positions(scene.format.samples)) {
+            *edges = centre.sample(at);
+        }
+    }
+    for ty in rows.0.max(0) / 8..=rows.1.min(63) / 8 {
+        let (first, last) = ((rows.0 - ty * 8).max(0), (rows.1 - ty * 8).min(7));
+        for tx in columns.0.max(0) / 8..=columns.1.min(63) / 8 {
+            let Some(reached) = all.rows(tx * 8, ty * 8, first) else { continue };
+            let mut allowed = FULL;
+            if t.flags & triangle_flags::CUT != 0 {
+                allowed &= rectangle_mask(tx * 8, ty * 8, columns, rows);
+            }
+            if let (Some(stipple), true) = (plan.stipple, t.flags & triangle_flags::POLYGON != 0) {
+                allowed &= stipple_mask(stipple, scene, ox + tx * 8, oy + ty * 8);
+            }
+            let mut masks = [0; MAX_SAMPLES as usize];
+            for s in 0..count {
+                let covered = match s {
+                    _ if reached.full => FULL,
+                    0 => edges[0].rows(tx * 8, ty * 8, first).map_or(0, |r| r.mask(first, last)),
+                    _ if several => edges[s].rows(tx * 8, ty * 8, first).map_or(0, |r| r.mask(first, last)),
+                    _ => masks[0],
+                };
+                masks[s] = covered & allowed;
+            }
+            for (s, mask) in masks[..count].iter_mut().enumerate() {
+                *mask &= if plan.state.dropped_samples >> s & 1 != 0 { 0 } else { FULL };
+            }
+            let mut left = masks.iter().fold(0, |all, mask| all | mask);
+            worker.tiles[!(reached.full && allowed == FULL) as usize] += (left != 0) as u64;
+            while left != 0 {
+                let row = left.trailing_zeros() as i32 / 8;
+                left &= !(0xff << (8 * row));
+                let place = Place {
+                    pixel: ((ty * 8 + tx) * 64 + row * 8) as usize,
+                    place: [ox + tx * 8, oy + ty * 8 + row],
+                    front: t.flags & triangle_flags::FRONT != 0,
+                };
+                row_of_samples::<S>(worker, scene, plan, t, planes, bin, place, masks.map(|mask| (mask >> (8 * row)) as u8));
+            }
+        }
+    }
+}
+
+#[inline(always)]
+#[allow(clippy::too_many_arguments)]
+fn row_of_samples<S: Simd>(
+    worker: &mut Worker,
+    scene: &Scene,
+    plan: &Plan,
+    t: &Triangle,
+    planes: &[[f32; 4]],
+    bin: &mut BinPixels,
+    place: Place,
+    mut covered: Covered,
+) {
+    if early(plan) {
+        test::<S>(plan, scene, planes, bin, place, &mut covered, None, t.flags & triangle_flags::MULTISAMPLE != 0);
+    }
+    let mask = union(&covered);
+    if mask == 0 {
+        return;
+    }
+    match plan.direct {
+        Some(k) => {
+            let (x, y) = sample_place::<S>(place.place, [0, 0]);
+            let color = direct_color::<S>(scene, plan, t, planes, k, x, y);
+            write::<S>(plan, scene, planes, bin, place, covered, color, None, t.flags & triangle_flags::MULTISAMPLE != 0);
+        }
+        None => {
+            let several = t.flags & triangle_flags::MULTISAMPLE != 0;
+            let row = Row { at: place.pixel as u32, mask, place: place.place, samples: covered, several, ..Row::default() };
+            queue::<S>(worker, scene, t, bin, row);
+        }
+    }
+}
+
+/// Depth and stencil are tested before the colour is known.
+fn early(plan: &Plan) -> bool {
+    plan.early && plan.tests && plan.state.flags & fragment_flags::ALPHA_TO_COVERAGE == 0
+}
+
+/// Stencil and depth test of each sample; those that fail are taken out. `computed`: the program's depth; `several`: samples have depths
+/// of their own.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)]
+fn test<S: Simd>(
+    plan: &Plan,
+    scene: &Scene,
+    planes: &[[f32; 4]],
+    bin: &mut BinPixels,
+    place: Place,
+    covered: &mut Covered,
+    computed: Option<S::I>,
+    several: bool,
+) {
+    for (s, &at) in positions(scene.format.samples).iter().enumerate() {
+        if covered[s] == 0 {
+            continue;
+        }
+        let z = computed.unwrap_or_else(
+            #[inline(always)]
+            || {
+                let (x, y) = sample_place::<S>(place.place, if several { at } else { [0, 0] });
+                depth::<S>(plan, planes, x, y)
+            },
+        );
+        let words = row8(bin.depth_stencil, s * BIN_PIXELS + place.pixel);
+        covered[s] = S::signs(depth_stencil::test::<S>(plan.state, place.front, z, S::mask(covered[s] as u32), words)) as u8;
+    }
+}
+
+/// The operations after the colour is known, sample by sample.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)]
+pub fn write<S: Simd>(
+    plan: &Plan,
+    scene: &Scene,
+    planes: &[[f32; 4]],
+    bin: &mut BinPixels,
+    place: Place,
+    mut covered: Covered,
+    mut color: Color<S>,
+    computed: Option<S::I>,
+    several: bool,
+) {
+    let state = plan.state;
+    let count = scene.format.samples as usize;
+    if state.flags & fragment_flags::ALPHA_TO_COVERAGE != 0 {
+        // In the precision of the colour buffer.
+        let alpha = if is_bytes(scene.format) { S::shr::<24>(color.bytes) } else { blend::quantize::<S>(color.columns[3]) };
+        for (s, covered) in covered[..count].iter_mut().enumerate() {
+            *covered &= S::signs(S::gt(alpha, S::i((255 * s / count) as i32))) as u8;
+        }
+    }
+    let keep = write::passes_alpha::<S>(plan, scene.format, &color);
+    if state.flags & fragment_flags::ALPHA_TO_ONE != 0 {
+        color.bytes = S::or(color.bytes, S::i(0xff00_0000u32 as i32));
+        color.columns[3] = S::f(1.0);
+    }
+    if let Some(keep) = keep {
+        let keep = S::signs(keep) as u8;
+        covered.iter_mut().for_each(|c| *c &= keep);
+    }
+    if !early(plan) && plan.tests {
+        test::<S>(plan, scene, planes, bin, place, &mut covered, computed, several);
+    }
+    if plan.write_mask == 0 {
+        return;
+    }
+    for (s, &covered) in covered[..count].iter().enumerate() {
+        if covered != 0 {
+            write::write_color::<S>(plan, scene.format, bin, s * BIN_PIXELS + place.pixel, S::mask(covered as u32), &color);
+        }
+    }
+}
