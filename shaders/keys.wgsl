@@ -25,7 +25,7 @@ fn tp_walk(p: TpPrimitive, index: u32, triangle: u32, a: TpCorner, b: TpCorner, 
     if (area == 0 || tp_is_culled(tp_is_front(area, p.flags), p.flags)) {
         return false;
     }
-    let box = tp_bounds(x, y, p.state);
+    let box = tp_bounds(x, y, p.state, p.flags);
     if (box.x == TP_NOWHERE) {
         return false;
     }

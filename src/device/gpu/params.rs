@@ -100,8 +100,10 @@ pub struct Params {
     pub action: u32,
     /// 2^23, for sums that round to integers and that no compiler may simplify.
     pub magic: f32,
+    /// Samples of a pixel.
+    pub samples: u32,
     /// Reserved, zero.
-    pub reserved: [u32; 2],
+    pub reserved: u32,
 }
 
 /// Parameters of the front end. Offsets are words of its records, unless said otherwise.
@@ -223,7 +225,8 @@ mod tests {
             clear_color,
             clear_mask,
             action,
-            magic
+            magic,
+            samples
         );
         assert_eq!(members(files::COMMON, "TpParams"), rust);
     }
