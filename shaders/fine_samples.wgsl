@@ -29,7 +29,11 @@
 //#if SAMPLE_DEPTH
                 var depth_pass = 0u;
 //#each $
+//#if OFFSET
                 let depth_$ = tp_quantise(state, tp_fma(y + zy_$, p2, zx_$) + p6);
+//#else
+                let depth_$ = tp_quantise(state, tp_fma(y + zy_$, p2, zx_$));
+//#endif
                 depth_pass |= select(0u, 1u << $u, tp_depth_test(state, depth_$, old_$ & 0xffffffu));
 //#end
 //#else
@@ -97,8 +101,10 @@
                 }
 //#endif
 //#if COLOR_WRITE
-                if ((passes & (1u << $u)) != 0u) {
-                    tp_pixels[r * i32(TP_SAMPLES) + $] = tp_merge(state, tp_pixels[r * i32(TP_SAMPLES) + $], color);
+                {
+                    // No branch, so that what samples have in common is computed once.
+                    let old = tp_pixels[r * i32(TP_SAMPLES) + $];
+                    tp_pixels[r * i32(TP_SAMPLES) + $] = select(old, tp_merge(state, old, color), (passes & (1u << $u)) != 0u);
                 }
 //#endif
 //#end

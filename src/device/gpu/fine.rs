@@ -41,6 +41,10 @@ pub mod feature {
     pub const DROPS_SAMPLES: u32 = 1 << 15;
     pub const ALPHA_TO_COVERAGE: u32 = 1 << 16;
     pub const ALPHA_TO_ONE: u32 = 1 << 17;
+    /// Some draw has a depth range other than 0 to 1.
+    pub const DEPTH_RANGE: u32 = 1 << 18;
+    /// Some draw has a polygon offset.
+    pub const OFFSET: u32 = 1 << 19;
 }
 
 /// Blending of a segment.
@@ -93,6 +97,7 @@ pub fn color_flags(options: &mut Options, color: ColorFormat) {
 impl FineKey {
     /// The text of a fine kernel.
     pub fn source(&self, shape: Shape, program: &Program, constants: &str) -> String {
+        let shape = self.shape(shape);
         let (options, extra) = self.options(shape, program, Planes::Loaded);
         let mut source = format!("const TP_LANES = {}u;\n{extra}{constants}", shape.fine_lanes);
         for file in [files::COMMON, files::ARITHMETIC] {
@@ -101,6 +106,12 @@ impl FineKey {
         self.shading(&options, program, &mut source);
         expand(files::FINE, &options, &mut source);
         source
+    }
+
+    /// The shape that serves the key: on a GPU, a lane that holds many samples has room for one pixel only.
+    fn shape(&self, shape: Shape) -> Shape {
+        let fine_lanes = if self.samples >= 8 && shape.vectors() { 64 } else { shape.fine_lanes };
+        Shape { fine_lanes, ..shape }
     }
 
     /// Appends the per-fragment operations and the program.
@@ -140,6 +151,8 @@ impl FineKey {
             ("DROPS_SAMPLES", feature::DROPS_SAMPLES),
             ("ALPHA_TO_COVERAGE", feature::ALPHA_TO_COVERAGE),
             ("ALPHA_TO_ONE", feature::ALPHA_TO_ONE),
+            ("DEPTH_RANGE", feature::DEPTH_RANGE),
+            ("OFFSET", feature::OFFSET),
         ] {
             options.flag(name, on(bit));
         }
@@ -179,8 +192,10 @@ impl FineKey {
                 let over = f == [SRC_ALPHA, ONE_MINUS_SRC_ALPHA, SRC_ALPHA, ONE_MINUS_SRC_ALPHA] && e == [0; 2];
                 // In floats where integers are slower, two bytes at a time elsewhere. Some compilers without fused operations drop
                 // additions that only round, so that the first is not for them.
-                options.flag("FLOAT_PIXELS", eight_bits && over && shape.fuses);
-                options.flag("BLEND_ALPHA", eight_bits && over && !shape.fuses);
+                // They take four registers a sample.
+                let floats = shape.fuses && self.samples <= 8;
+                options.flag("FLOAT_PIXELS", eight_bits && over && floats);
+                options.flag("BLEND_ALPHA", eight_bits && over && !floats);
                 options.flag("BLEND_UNIFORM", f[0] == f[2] && f[1] == f[3] && e[0] == e[1]);
                 let _ = writeln!(extra, "const TP_BLEND_FACTORS = vec4<u32>({}u, {}u, {}u, {}u);", f[0], f[1], f[2], f[3]);
                 let _ = writeln!(extra, "const TP_BLEND_EQUATIONS = vec2<u32>({}u, {}u);", e[0], e[1]);

@@ -58,7 +58,7 @@ pub struct Params {
     pub bins: [u32; 2],
     /// Masks of triangles: a word for each bin and block.
     pub mask_base: u32,
-    /// Counts, later offsets within the bin's list: a word for each bin and super block.
+    /// Counts, later offsets within the bin's list: a word for each super block and bin.
     pub count_base: u32,
     /// For each bin the first block of its list and its length.
     pub bin_base: u32,

@@ -65,6 +65,9 @@ pub fn needs(batch: &Batch, index: usize, format: SurfaceFormat) -> DrawNeeds {
     set(feature::ALPHA_TEST, on(fragment_flags::ALPHA_TEST));
     // One of 16 samples lies on the border of its pixel, where a triangle that ends at the border of the surface may cover it.
     set(feature::CUT, format.samples == 16 || !stays_inside(batch, index));
+    set(feature::DEPTH_RANGE, raster.depth_range != [0.0, 1.0]);
+    let offsets = raster_flags::OFFSET_POINT | raster_flags::OFFSET_LINE | raster_flags::OFFSET_FILL;
+    set(feature::OFFSET, raster.flags & offsets != 0);
     let several = format.samples > 1;
     set(feature::DROPS_SAMPLES, several && state.dropped_samples != 0);
     set(feature::ALPHA_TO_COVERAGE, on(fragment_flags::ALPHA_TO_COVERAGE));
