@@ -11,6 +11,10 @@ const TP_ROW_STEP = i32(TP_LANES / 8u);
 
 // A pixel's samples one after the other.
 var<private> tp_pixels: array<TpPixel, TP_ROWS * i32(TP_SAMPLES)>;
+//#if REJECTS
+// The greatest depth of each pixel's samples.
+var<private> tp_furthest: array<u32, TP_ROWS>;
+//#endif
 //#if DEPTH_BUFFER
 var<private> tp_depths: array<u32, TP_ROWS * i32(TP_SAMPLES)>;
 //#endif
@@ -70,6 +74,12 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
             tp_depths[r * i32(TP_SAMPLES) + $] = tp_depth[at + $u * plane];
 //#endif
 //#end
+//#if REJECTS
+            tp_furthest[r] = 0u;
+//#each $
+            tp_furthest[r] = max(tp_furthest[r], tp_depths[r * i32(TP_SAMPLES) + $] & 0xffffffu);
+//#end
+//#endif
             continuing {
                 r++;
                 break if r >= TP_ROWS;
@@ -155,6 +165,14 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#each $
         let edge_$ = select(vec3<i32>(0), (low_bits + a * TP_SAMPLE_X$ + b * TP_SAMPLE_Y$) >> vec3<u32>(4u), several);
 //#end
+//#if REJECTS
+        var edge_most = edge_0;
+//#each $
+        edge_most = max(edge_most, edge_$);
+//#end
+        // How far the depth of any sample may lie below its pixel's, with all roundings.
+        let depth_slack = (abs(p1) + abs(p2)) * 0.5 + (abs(p0) + abs(p1) * x + abs(p2) * f32(origin.y + 8u)) * 0x1p-20 + 0x1p-21;
+//#endif
 //#if SAMPLE_DEPTH
 //#each $
         let zx_$ = tp_fma(x + select(0.0, f32(TP_SAMPLE_X$) / 16.0, several), p1, p0);

@@ -1,5 +1,18 @@
             // One pixel of several samples: coverage, depth and stencil by sample, colour once, at the centre. The twin of
             // src/raster/samples.rs. A bit a sample in all masks.
+            var wanted = allowed;
+//#if REJECTS
+            let most = e + edge_most;
+            wanted = wanted && (most.x | most.y | most.z) >= 0;
+            // A pixel all of whose samples are nearer than the triangle is passed by.
+//#if OFFSET
+            let nearest = tp_fma(f32(py), p2, tp_fma(x, p1, p0)) + p6 - depth_slack;
+//#else
+            let nearest = tp_fma(f32(py), p2, tp_fma(x, p1, p0)) - depth_slack;
+//#endif
+            wanted = wanted && tp_quantise(state, nearest) <= tp_furthest[r] + 1u;
+//#endif
+            if (wanted) {
             var cover = 0u;
 //#each $
             {
@@ -10,7 +23,7 @@
 //#if DROPS_SAMPLES
             cover &= ~WORD(sb, 6);
 //#endif
-            if (allowed && cover != 0u) {
+            if (cover != 0u) {
                 let y = f32(py);
                 //#insert DEPTH
 //#if DEPTH_BUFFER
@@ -108,5 +121,12 @@
                 }
 //#endif
 //#end
+//#if REJECTS
+                tp_furthest[r] = 0u;
+//#each $
+                tp_furthest[r] = max(tp_furthest[r], tp_depths[r * i32(TP_SAMPLES) + $] & 0xffffffu);
+//#end
+//#endif
                 dirty |= 1u << u32(r);
+            }
             }

@@ -10,6 +10,7 @@ use super::texture::{self, TextureClass};
 use crate::device::{ColorFormat, samples};
 use crate::program::Program;
 use crate::raster::layout::blend_factor::{self, ONE_MINUS_SRC_ALPHA, SRC_ALPHA};
+use crate::raster::layout::compare;
 
 /// What a fine kernel contains: bits of [`FineKey::features`].
 #[allow(missing_docs)]
@@ -162,6 +163,10 @@ impl FineKey {
         // The stencil buffer changes where the depth test fails, but not where the program or the alpha test kills.
         options.flag("NEEDS_KILL_FIRST", on(feature::STENCIL_TEST) && (program.discards || on(feature::ALPHA_TEST)));
         options.flag("TEXTURES", on(feature::SHADES) && !self.textures.is_empty());
+        // Pixels whose samples are all nearer than a triangle are passed by; with fewer samples the look costs more than it saves.
+        let nearer_wins = matches!(self.depth_func, Some(compare::LESS | compare::LEQUAL)) && !on(feature::MIXED);
+        let rejects = self.samples >= 16 && nearer_wins && on(feature::DEPTH_TEST) && !writes_depth && !on(feature::STENCIL_TEST);
+        options.flag("REJECTS", rejects);
         let mut extra = String::new();
         let _ = writeln!(extra, "const TP_DEPTH_SCALE = {}.0;", (1u64 << self.depth_bits) - 1);
         if let Some(func) = self.depth_func {
