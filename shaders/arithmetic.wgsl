@@ -31,6 +31,18 @@ fn tp_edge_floor(a: i32, b: i32, c: i32, d: i32, bias: u32, shift: u32) -> i32 {
     return select(select(bitcast<i32>(inside), 0x40000000, h >= limit), -0x40000000, h < -limit);
 }
 
+// The integer nearest to x, the even one of two, for 0 <= x < 2^24. Sums run at full speed where conversions do not: adding 2^23 rounds to an
+// integer and leaves it in the low bits; from 2^23 on every float is one.
+fn tp_round(x: f32) -> u32 {
+    let small = x < 8388608.0;
+    return bitcast<u32>(select(x, x + 8388608.0, small)) - select(0x4a800000u, 0x4b000000u, small);
+}
+
+// Bits 4 to 7 of a * b - c * d - bias.
+fn tp_edge_low(a: i32, b: i32, c: i32, d: i32, bias: u32) -> u32 {
+    return ((bitcast<u32>(a * b) - bitcast<u32>(c * d) - bias) >> 4u) & 15u;
+}
+
 // a * b + c, rounded once. Mesa's lavapipe splits fma, so there it is worked out in double precision: the product is exact.
 fn tp_fma(a: f32, b: f32, c: f32) -> f32 {
 //#if FMA64

@@ -11,8 +11,14 @@ fn tp_outside(base: u32, corner: vec2<i32>) -> bool {
         let dx = ax - bitcast<i32>(tp_triangles[base + f]);
         let dy = ay - bitcast<i32>(tp_triangles[base + 3u + f]);
         // The corner where the edge function is greatest.
+//#if SAMPLES
+        // Samples lie within half a pixel of the centres.
+        let x = corner.x + select(64, -1, dy > 0);
+        let y = corner.y + select(-1, 64, dx > 0);
+//#else
         let x = corner.x + select(63, 0, dy > 0);
         let y = corner.y + select(0, 63, dx > 0);
+//#endif
         let c = tp_edge_floor(dx, y * 256 - ay, dy, x * 256 - ax, tp_edge_bias(dx, dy), 8u);
         outside = outside || c < 0;
     }

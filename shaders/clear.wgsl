@@ -27,6 +27,8 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let first = i32(id.y) * TP_CLEAR_ROWS + tp.clear_min.y;
     for (var y = first; y < min(first + TP_CLEAR_ROWS, tp.clear_max.y); y++) {
-        tp_clear_pixel(u32(y) * tp.size.x + u32(x));
+        for (var sample = 0u; sample < tp.samples; sample++) {
+            tp_clear_pixel((sample * tp.size.y + u32(y)) * tp.size.x + u32(x));
+        }
     }
 }

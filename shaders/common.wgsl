@@ -31,6 +31,7 @@ struct TpParams {
     action: u32,
     // 2^23.
     magic: f32,
+    samples: u32,
 }
 
 //#if VISIBLE

@@ -22,5 +22,5 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
             break if block >= end;
         }
     }
-    tp_lists[tp.count_base + index] = count;
+    tp_lists[tp.count_base + super_block * tp.bins.x * tp.bins.y + bin] = count;
 }

@@ -17,7 +17,7 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
     let first = super_block * 32u;
     let end = min(first + 32u, blocks);
     let base = tp.mask_base + bin * blocks;
-    var at = tp.list_base + tp_lists[tp.bin_base + bin * 2u] * 32u + tp_lists[tp.count_base + index];
+    var at = tp.list_base + tp_lists[tp.bin_base + bin * 2u] * 32u + tp_lists[tp.count_base + super_block * tp.bins.x * tp.bins.y + bin];
     var block = first;
     var bits = tp_lists[base + block];
     loop {
@@ -56,7 +56,8 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
     let supers = tp_supers();
     let blocks = tp_blocks();
     let bin = index / max(supers, 1u);
-    let block = (index - bin * supers) * 32u + (number & 31u);
+    let super_block = index - bin * supers;
+    let block = super_block * 32u + (number & 31u);
     let there = index < tp.bins.x * tp.bins.y * supers && block < blocks;
     let mask_at = tp.mask_base + bin * blocks + block;
     var bits = 0u;
@@ -72,7 +73,7 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
     if (tp_lists[0] > tp.list_blocks) {
         return;
     }
-    var at = tp.list_base + tp_lists[tp.bin_base + bin * 2u] * 32u + tp_lists[tp.count_base + index];
+    var at = tp.list_base + tp_lists[tp.bin_base + bin * 2u] * 32u + tp_lists[tp.count_base + super_block * tp.bins.x * tp.bins.y + bin];
     for (var l = lane & ~31u; l < lane; l++) {
         at += tp_counts[l];
     }

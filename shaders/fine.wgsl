@@ -9,9 +9,10 @@
 const TP_ROWS = i32(64u / TP_LANES);
 const TP_ROW_STEP = i32(TP_LANES / 8u);
 
-var<private> tp_pixels: array<TpPixel, TP_ROWS>;
+// A pixel's samples one after the other.
+var<private> tp_pixels: array<TpPixel, TP_ROWS * i32(TP_SAMPLES)>;
 //#if DEPTH_BUFFER
-var<private> tp_depths: array<u32, TP_ROWS>;
+var<private> tp_depths: array<u32, TP_ROWS * i32(TP_SAMPLES)>;
 //#endif
 
 // A word of the lists.
@@ -55,16 +56,20 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     let x = f32(i32(px));
     let local_x = i32((tile & 7u) * 8u + column);
     let local_top = i32((tile >> 3u) * 8u);
+    // From a sample to the next one of the same pixel.
+    let plane = tp.size.x * tp.size.y;
     var dirty = 0u;
     {
         var r = 0;
         loop {
             let py = min(origin.y + u32(first_row + r * TP_ROW_STEP), tp.size.y - 1u);
             let at = py * tp.size.x + min(px, tp.size.x - 1u);
-            tp_pixels[r] = tp_load_pixel(at);
+//#each $
+            tp_pixels[r * i32(TP_SAMPLES) + $] = tp_load_pixel(at + $u * plane);
 //#if DEPTH_BUFFER
-            tp_depths[r] = tp_depth[at];
+            tp_depths[r * i32(TP_SAMPLES) + $] = tp_depth[at + $u * plane];
 //#endif
+//#end
             continuing {
                 r++;
                 break if r >= TP_ROWS;
@@ -108,8 +113,14 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
             next_2 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 2u];
         }
 //#endif
+//#if SAMPLES
+        // Low bits of the edge functions lie where others leave room: see tile.wgsl.
+        let box = WORD(tb, 5) & 0x3f3f3f3fu;
+        let planes = WORD(tb, 6) & 0xfffffffcu;
+//#else
         let box = WORD(tb, 5);
         let planes = WORD(tb, 6);
+//#endif
         let draw_and_flags = WORD(tb, 7);
         let flags = draw_and_flags >> 24u;
         let c = bitcast<vec3<i32>>(vec3<u32>(WORD(ta, 0), WORD(ta, 1), WORD(ta, 2)));
@@ -118,12 +129,8 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         // The draw's states.
         let draw = tp.draws + (draw_and_flags & 0xffffffu) * TP_DRAW_WORDS;
         //#load sa tp_records draw
-//#if BLEND_DYNAMIC
+//#if STATE_SECOND
         //#load sb tp_records draw + 8u
-//#else
-//#if BLEND_CONSTANT
-        //#load sb tp_records draw + 8u
-//#endif
 //#endif
 //#if STENCIL_TEST
         //#load sc tp_records draw + select(24u, 16u, (flags & TP_FRONT) != 0u)
@@ -137,6 +144,24 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         //#state
         // Planes of this triangle.
         //#insert PLANES
+//#if SAMPLES
+        // From the centres to the samples: edge functions, and the place where depth is evaluated.
+        let several = (flags & TP_MULTISAMPLE) != 0u;
+        let free = WORD(tb, 5);
+        let low_bits = vec3<i32>(vec3<u32>(
+            ((free >> 6u) & 3u) | (((free >> 14u) & 3u) << 2u),
+            ((free >> 22u) & 3u) | ((free >> 30u) << 2u),
+            (WORD(tb, 6) & 3u) | ((draw_and_flags >> 30u) << 2u)));
+//#each $
+        let edge_$ = select(vec3<i32>(0), (low_bits + a * TP_SAMPLE_X$ + b * TP_SAMPLE_Y$) >> vec3<u32>(4u), several);
+//#end
+//#if SAMPLE_DEPTH
+//#each $
+        let zx_$ = tp_fma(x + select(0.0, f32(TP_SAMPLE_X$) / 16.0, several), p1, p0);
+        let zy_$ = select(0.0, f32(TP_SAMPLE_Y$) / 16.0, several);
+//#end
+//#endif
+//#endif
 //#if CUT
         let in_columns = local_x >= i32(box & 255u) && local_x <= i32((box >> 8u) & 255u);
 //#endif
@@ -148,22 +173,24 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         for (var r = 0; r < TP_ROWS; r++) {
             let row = first_row + r * TP_ROW_STEP;
             let e = e0 + b * (r * TP_ROW_STEP);
-            var covered = (e.x | e.y | e.z) >= 0;
 //#else
         var row = first_row + (low / TP_ROW_STEP) * TP_ROW_STEP;
         var e = c + a * local_x + b * (local_top + row);
         loop {
             let r = row / TP_ROW_STEP;
-            var covered = (e.x | e.y | e.z) >= 0;
-//#endif
-//#if CUT
-            covered = covered && in_columns && row >= low && row <= high;
 //#endif
             let py = i32(origin.y) + row;
-//#if STIPPLE
-            covered = covered && tp_stipple(state, flags, px, u32(py));
+            var allowed = true;
+//#if CUT
+            allowed = in_columns && row >= low && row <= high;
 //#endif
-            if (covered) {
+//#if STIPPLE
+            allowed = allowed && tp_stipple(state, flags, px, u32(py));
+//#endif
+//#if SAMPLES
+            //#samples
+//#else
+            if (allowed && (e.x | e.y | e.z) >= 0) {
                 let y = f32(py);
 //#if DEPTH_BUFFER
                 let old_depth = tp_depths[r];
@@ -250,6 +277,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#endif
                 dirty |= 1u << u32(r);
             }
+//#endif
 //#if VECTORS
 //#else
             continuing {
@@ -270,10 +298,12 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
             let py = origin.y + u32(first_row + r * TP_ROW_STEP);
             if ((dirty & (1u << u32(r))) != 0u) {
                 let at = py * tp.size.x + px;
-                tp_store_pixel(at, tp_pixels[r]);
+//#each $
+                tp_store_pixel(at + $u * plane, tp_pixels[r * i32(TP_SAMPLES) + $]);
 //#if DEPTH_BUFFER
-                tp_depth[at] = tp_depths[r];
+                tp_depth[at + $u * plane] = tp_depths[r * i32(TP_SAMPLES) + $];
 //#endif
+//#end
             }
             continuing {
                 r++;

@@ -45,8 +45,12 @@ fn tp_depth_test(s: TpState, fresh: u32, old: u32) -> bool {
 }
 
 fn tp_quantise(s: TpState, z: f32) -> u32 {
+//#if DEPTH_RANGE
     let clamped = min(max(z, s.depth_range.x), s.depth_range.y);
-    return bitcast<u32>(i32(round(clamped * TP_DEPTH_SCALE)));
+//#else
+    let clamped = saturate(z);
+//#endif
+    return tp_round(tp_mul(clamped, TP_DEPTH_SCALE));
 }
 
 fn tp_stencil_test(s: TpState, old: u32) -> bool {

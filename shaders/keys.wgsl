@@ -25,7 +25,7 @@ fn tp_walk(p: TpPrimitive, index: u32, triangle: u32, a: TpCorner, b: TpCorner, 
     if (area == 0 || tp_is_culled(tp_is_front(area, p.flags), p.flags)) {
         return false;
     }
-    let box = tp_bounds(x, y, p.state);
+    let box = tp_bounds(x, y, p.state, p.flags);
     if (box.x == TP_NOWHERE) {
         return false;
     }
@@ -67,7 +67,7 @@ fn tp_walk(p: TpPrimitive, index: u32, triangle: u32, a: TpCorner, b: TpCorner, 
 fn tp_offer(walk: ptr<function, TpWalk>, px: i32, py: i32, zx: f32) {
     let z = tp_fma(f32(py), (*walk).z.z, zx) + (*walk).z.w;
     let clamped = min(max(z, (*walk).depth_range.x), (*walk).depth_range.y);
-    let depth = u32(i32(round(clamped * TP_DEPTH_SCALE)));
+    let depth = tp_round(tp_mul(clamped, TP_DEPTH_SCALE));
     atomicMin(&tp_keys[u32(py) * tp.size.x + u32(px)], (u64(depth) << 40u) | (*walk).order);
 }
 

@@ -14,7 +14,7 @@ fn tp_rectangle(p: TpPrimitive, index: u32, x: vec4<i32>, y: vec4<i32>, flags: u
             tx = tx.yxz;
             ty = ty.yxz;
         }
-        let box = tp_bounds(tx, ty, p.state);
+        let box = tp_bounds(tx, ty, p.state, p.flags);
         if (area != 0 && box.x != TP_NOWHERE) {
             tp_write_triangle(p, index, tx, ty, box.x, box.y, flags | select(0u, TP_CUT, box.z != 0u));
         }

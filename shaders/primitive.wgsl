@@ -73,11 +73,15 @@ fn tp_is_culled(front: bool, flags: u32) -> bool {
 
 // First and last column and row that a sample may lie in, packed, scissor applied; 1 in z where the scissor took some away;
 // columns TP_NOWHERE where no sample is left.
-fn tp_bounds(x: vec3<i32>, y: vec3<i32>, state: u32) -> vec3<u32> {
+fn tp_bounds(x: vec3<i32>, y: vec3<i32>, state: u32, flags: u32) -> vec3<u32> {
+    // Samples lie up to 128 subpixels before the centre and up to 112 behind it.
+    let multisample = (flags & TP_MULTISAMPLE_STATE) != 0u;
+    let before = select(0, 128, multisample);
+    let behind = select(0, 112, multisample);
     let low = bitcast<vec2<i32>>(vec2<u32>(tp_front_records[state + TP_STATE_SCISSOR_MIN], tp_front_records[state + TP_STATE_SCISSOR_MIN + 1u]));
     let high = bitcast<vec2<i32>>(vec2<u32>(tp_front_records[state + TP_STATE_SCISSOR_MAX], tp_front_records[state + TP_STATE_SCISSOR_MAX + 1u])) - 1;
-    let first = (vec2<i32>(min(min(x.x, x.y), x.z), min(min(y.x, y.y), y.z)) + 255) >> vec2<u32>(8u);
-    let last = vec2<i32>(max(max(x.x, x.y), x.z), max(max(y.x, y.y), y.z)) >> vec2<u32>(8u);
+    let first = (vec2<i32>(min(min(x.x, x.y), x.z), min(min(y.x, y.y), y.z)) + (255 - behind)) >> vec2<u32>(8u);
+    let last = (vec2<i32>(max(max(x.x, x.y), x.z), max(max(y.x, y.y), y.z)) + before) >> vec2<u32>(8u);
     let least = max(first, low);
     let most = min(last, high);
     let cut = any(first < low) || any(last > high);
@@ -108,7 +112,7 @@ fn tp_count(p: TpPrimitive) -> vec4<u32> {
             return vec4<u32>(2u * edges, edges * p.plane_stride, 0u, 0u);
         }
 //#endif
-        return select(vec4<u32>(1u, p.plane_stride, 0u, 0u), vec4<u32>(0u), tp_bounds(x, y, p.state).x == TP_NOWHERE);
+        return select(vec4<u32>(1u, p.plane_stride, 0u, 0u), vec4<u32>(0u), tp_bounds(x, y, p.state, p.flags).x == TP_NOWHERE);
     }
     if ((p.code_or & TP_CLIP_INVALID) != 0u || p.code_and != 0u || p.topology == TP_POINTS) {
         return vec4<u32>(0u);

@@ -9,21 +9,33 @@ var<workgroup> tp_sums: array<vec2<u32>, TP_LANES>;
 fn tp_main(@builtin(local_invocation_index) lane: u32) {
     let bins = tp.bins.x * tp.bins.y;
     let supers = tp_supers();
+    // Counts lie super block by super block, so that neighbouring lanes read neighbouring words.
+    for (var bin = lane; bin < bins; bin += TP_LANES) {
+        var total = 0u;
+        // Eight at a time, so that their loads overlap.
+        for (var s = 0u; s < supers; s += 8u) {
+            var counts = array<u32, 8>();
+            for (var k = 0u; k < 8u; k++) {
+                counts[k] = tp_lists[tp.count_base + min(s + k, supers - 1u) * bins + bin];
+            }
+            for (var k = 0u; k < 8u; k++) {
+                if (s + k < supers) {
+                    tp_lists[tp.count_base + (s + k) * bins + bin] = total;
+                    total += counts[k];
+                }
+            }
+        }
+        tp_lists[tp.bin_base + bin * 2u + 1u] = total;
+    }
+    storageBarrier();
     let share = (bins + TP_LANES - 1u) / TP_LANES;
     let first = min(lane * share, bins);
     let end = min(first + share, bins);
     // This lane's bins: list blocks and bins that are not empty.
     var sum = vec2<u32>(0u);
     for (var bin = first; bin < end; bin++) {
-        var total = 0u;
-        let base = tp.count_base + bin * supers;
-        for (var s = 0u; s < supers; s++) {
-            let count = tp_lists[base + s];
-            tp_lists[base + s] = total;
-            total += count;
-        }
+        let total = tp_lists[tp.bin_base + bin * 2u + 1u];
         tp_lists[tp.bin_base + bin * 2u] = sum.x;
-        tp_lists[tp.bin_base + bin * 2u + 1u] = total;
         sum += vec2<u32>((total + 31u) / 32u, select(0u, 1u, total > 0u));
     }
     tp_sums[lane] = sum;

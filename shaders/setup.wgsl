@@ -19,7 +19,7 @@ fn tp_write_triangle(p: TpPrimitive, index: u32, x: vec3<i32>, y: vec3<i32>, col
         tp_triangles[at + 3u + k] = bitcast<u32>(y[k]);
     }
     tp_triangles[at + TP_TRIANGLE_DRAW] = p.draw;
-    tp_triangles[at + TP_TRIANGLE_FLAGS] = flags;
+    tp_triangles[at + TP_TRIANGLE_FLAGS] = flags | select(0u, TP_MULTISAMPLE, (p.flags & TP_MULTISAMPLE_STATE) != 0u);
     tp_triangles[at + TP_TRIANGLE_COLUMNS] = columns;
     tp_triangles[at + TP_TRIANGLE_ROWS] = rows;
     tp_triangles[at + TP_TRIANGLE_PLANES] = tp_next_planes;
@@ -43,7 +43,7 @@ fn tp_surface_flags(front: bool) -> u32 {
 fn tp_triangle(p: TpPrimitive, index: u32, a: TpCorner, b: TpCorner, c: TpCorner, front: bool) {
     let x = vec3<i32>(a.snapped.x, b.snapped.x, c.snapped.x);
     let y = vec3<i32>(a.snapped.y, b.snapped.y, c.snapped.y);
-    let box = tp_bounds(x, y, p.state);
+    let box = tp_bounds(x, y, p.state, p.flags);
     if (box.x == TP_NOWHERE) {
         return;
     }

@@ -36,11 +36,26 @@ fn tp_entry(base: u32, at: u32, origin: vec2<i32>) -> vec2<u32> {
         tp_lists[at + 3u + k] = bitcast<u32>(a[k]);
         tp_lists[at + 6u + k] = bitcast<u32>(b[k]);
     }
-    tp_lists[at + 9u] = u32(left) | (u32(right) << 8u) | (u32(top) << 16u) | (u32(bottom) << 24u);
-    tp_lists[at + 10u] = tp_triangles[base + TP_TRIANGLE_PLANES] * 4u;
-    tp_lists[at + 11u] = tp_triangles[base + TP_TRIANGLE_DRAW] | (tp_triangles[base + TP_TRIANGLE_FLAGS] << 24u);
+    var box = u32(left) | (u32(right) << 8u) | (u32(top) << 16u) | (u32(bottom) << 24u);
+    var planes = tp_triangles[base + TP_TRIANGLE_PLANES] * 4u;
+    var flags = tp_triangles[base + TP_TRIANGLE_FLAGS];
     // Each edge function at the corner of a tile where it is greatest.
-    let most = c + 7 * (max(a, vec3<i32>(0)) + max(b, vec3<i32>(0)));
+    var most = c + 7 * (max(a, vec3<i32>(0)) + max(b, vec3<i32>(0)));
+//#if SAMPLES
+    // Samples lie off the centres: the next four bits of the edge functions decide. They go where bits are free: two in each byte of the
+    // rectangle, two below the planes, two above the flags.
+    let low = vec3<u32>(
+        tp_edge_low(dx.x, qy.x, dy.x, qx.x, tp_edge_bias(dx.x, dy.x)),
+        tp_edge_low(dx.y, qy.y, dy.y, qx.y, tp_edge_bias(dx.y, dy.y)),
+        tp_edge_low(dx.z, qy.z, dy.z, qx.z, tp_edge_bias(dx.z, dy.z)));
+    box |= ((low.x & 3u) << 6u) | ((low.x >> 2u) << 14u) | ((low.y & 3u) << 22u) | ((low.y >> 2u) << 30u);
+    planes |= low.z & 3u;
+    flags |= (low.z >> 2u) << 6u;
+    most += ((abs(a) + abs(b)) >> vec3<u32>(1u)) + 1;
+//#endif
+    tp_lists[at + 9u] = box;
+    tp_lists[at + 10u] = planes;
+    tp_lists[at + 11u] = tp_triangles[base + TP_TRIANGLE_DRAW] | (flags << 24u);
     let small = x0 == x1 || y0 == y1;
     var mask = vec2<u32>(0u);
     for (var y = 0; y < 8; y++) {

@@ -43,6 +43,8 @@ extern "C" {
 #define OSMESA_COMPAT_PROFILE 0x35
 #define OSMESA_CONTEXT_MAJOR_VERSION 0x36
 #define OSMESA_CONTEXT_MINOR_VERSION 0x37
+/* Tepui only: samples of a pixel, 0 to 16 (rounded up to 1, 2, 4, 8 or 16); the program's buffer gets them resolved. */
+#define OSMESA_SAMPLES_TEPUI 0x7E01
 
 typedef struct osmesa_context *OSMesaContext;
 typedef void (*OSMESAproc)();

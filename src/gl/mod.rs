@@ -146,11 +146,13 @@ pub struct ContextConfig {
     pub stencil_bits: u32,
     /// Bits of accumulation a component: 0, else 16.
     pub accum_bits: u32,
+    /// Samples of a pixel: 1, 2, 4, 8 or 16.
+    pub samples: u32,
 }
 
 impl Default for ContextConfig {
     fn default() -> ContextConfig {
-        ContextConfig { color: ColorFormat::Rgba8, depth_bits: 24, stencil_bits: 8, accum_bits: 0 }
+        ContextConfig { color: ColorFormat::Rgba8, depth_bits: 24, stencil_bits: 8, accum_bits: 0, samples: 1 }
     }
 }
 
@@ -162,7 +164,7 @@ impl ContextConfig {
             1..=16 => DepthFormat::D16,
             _ => DepthFormat::D24,
         };
-        SurfaceFormat { color: self.color, depth, stencil: self.stencil_bits > 0, top_first: true, samples: 1 }
+        SurfaceFormat { color: self.color, depth, stencil: self.stencil_bits > 0, top_first: true, samples: self.samples }
     }
 }
 

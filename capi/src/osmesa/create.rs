@@ -2,6 +2,7 @@
 
 use std::ffi::c_int;
 
+use tepui::device::samples;
 use tepui::gl::enums::{GL_UNSIGNED_BYTE, GLenum};
 use tepui::gl::{Context, ContextConfig};
 
@@ -19,6 +20,8 @@ const CORE_PROFILE: c_int = 0x34;
 const COMPAT_PROFILE: c_int = 0x35;
 const MAJOR_VERSION: c_int = 0x36;
 const MINOR_VERSION: c_int = 0x37;
+/// Tepui's own: see GL/osmesa.h.
+const SAMPLES: c_int = 0x7e01;
 
 /// What a context is asked for.
 struct Request {
@@ -26,6 +29,7 @@ struct Request {
     depth: c_int,
     stencil: c_int,
     accum: c_int,
+    samples: c_int,
 }
 
 fn create(request: &Request, share: Handle) -> Option<Handle> {
@@ -34,7 +38,9 @@ fn create(request: &Request, share: Handle) -> Option<Handle> {
     if request.depth < 0 || request.stencil < 0 || request.accum < 0 {
         return None;
     }
+    let samples = u32::try_from(request.samples).ok().and_then(samples::supported)?;
     let config = ContextConfig {
+        samples,
         depth_bits: match request.depth {
             0 => 0,
             // Depth with stencil is always 24 bits, as with Mesa.
@@ -59,7 +65,7 @@ fn create(request: &Request, share: Handle) -> Option<Handle> {
 /// A function of the C ABI: see GL/osmesa.h.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn OSMesaCreateContext(format: GLenum, sharelist: Handle) -> Handle {
-    let request = Request { format, depth: 24, stencil: 8, accum: 0 };
+    let request = Request { format, depth: 24, stencil: 8, accum: 0, samples: 0 };
     guard("OSMesaCreateContext", None, || create(&request, sharelist)).unwrap_or(std::ptr::null_mut())
 }
 
@@ -69,7 +75,7 @@ pub unsafe extern "C" fn OSMesaCreateContext(format: GLenum, sharelist: Handle) 
 /// A function of the C ABI: see GL/osmesa.h.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn OSMesaCreateContextExt(format: GLenum, depth: c_int, stencil: c_int, accum: c_int, sharelist: Handle) -> Handle {
-    let request = Request { format, depth, stencil, accum };
+    let request = Request { format, depth, stencil, accum, samples: 0 };
     guard("OSMesaCreateContextExt", None, || create(&request, sharelist)).unwrap_or(std::ptr::null_mut())
 }
 
@@ -80,7 +86,7 @@ fn is_version(major: c_int, minor: c_int) -> bool {
 }
 
 fn create_from_list(list: &[(c_int, c_int)], sharelist: Handle) -> Option<Handle> {
-    let mut request = Request { format: 0x1908, depth: 0, stencil: 0, accum: 0 };
+    let mut request = Request { format: 0x1908, depth: 0, stencil: 0, accum: 0, samples: 0 };
     let (mut major, mut minor) = (1, 0);
     for &(attribute, value) in list {
         match attribute {
@@ -88,6 +94,7 @@ fn create_from_list(list: &[(c_int, c_int)], sharelist: Handle) -> Option<Handle
             DEPTH_BITS => request.depth = value,
             STENCIL_BITS => request.stencil = value,
             ACCUM_BITS => request.accum = value,
+            SAMPLES => request.samples = value,
             PROFILE if value == CORE_PROFILE || value == COMPAT_PROFILE => {}
             PROFILE => return None,
             MAJOR_VERSION => major = value,

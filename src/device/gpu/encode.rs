@@ -173,6 +173,7 @@ impl Planner<'_> {
             depth_max: ((1u64 << self.format.depth.bits()) - 1) as u32,
             zero: -0.0,
             magic: 8388608.0,
+            samples: self.format.samples,
             ..Params::default()
         }
     }
@@ -298,6 +299,7 @@ impl Planner<'_> {
                     let program = &self.batch.draws[run.segment.draw as usize].fragment_program;
                     let many = run.primitives.len() as u32 >= self.visible_from;
                     if self.shape.keys64
+                        && self.format.samples == 1
                         && many
                         && self.room.slice_triangles >= self.visible_from
                         && run.filled

@@ -232,38 +232,43 @@ impl Executor {
         if self.bound.as_ref().is_some_and(|g| g.generation == generation) {
             return;
         }
-        let device = &self.gpu.device;
-        let group = |layout: &wgpu::BindGroupLayout, storage: &[&wgpu::Buffer], params: &[u64]| {
-            let mut entries: Vec<_> = storage
-                .iter()
-                .enumerate()
-                .map(|(k, b)| wgpu::BindGroupEntry { binding: k as u32, resource: b.as_entire_binding() })
-                .collect();
-            for &size in params {
-                let buffer = wgpu::BufferBinding { buffer: b.params.get(), offset: 0, size: wgpu::BufferSize::new(size) };
-                entries.push(wgpu::BindGroupEntry { binding: entries.len() as u32, resource: wgpu::BindingResource::Buffer(buffer) });
-            }
-            device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
-        };
         let front = [&b.uniforms, &b.vertices, &b.primitives, &b.front_records, &b.shaded, &b.screen, &b.triangles, &b.planes, &b.front];
-        let [uniforms, records, triangles, planes, lists, segments] =
-            [&b.uniforms, &b.records, &b.triangles, &b.planes, &b.lists, &b.front].map(|g| g.get());
-        let stages = [uniforms, records, triangles, planes, lists, &b.color, &b.depth, self.heap.buffer(), segments];
         let sizes = [size_of::<Params>() as u64, size_of::<FrontParams>() as u64];
         let visible = b.keys.as_ref().map(|keys| {
-            let [primitives, front_records, shaded, screen, queue] =
-                [&b.primitives, &b.front_records, &b.shaded, &b.screen, &b.queue].map(|g| g.get());
+            let [uniforms, primitives, front_records, shaded, screen, records, queue] =
+                [&b.uniforms, &b.primitives, &b.front_records, &b.shaded, &b.screen, &b.records, &b.queue].map(|g| g.get());
             let texels = self.heap.buffer();
             let all = [uniforms, primitives, front_records, shaded, screen, records, &b.color, &b.depth, texels, keys, queue];
-            group(&self.kernels.visible_layout, &all, &sizes)
+            self.group(&self.kernels.visible_layout, &all, &sizes)
         });
         self.bound = Some(Bound {
             generation,
             visible,
-            front: group(&self.kernels.front_layout, &front.map(|g| g.get()), &sizes[1..]),
-            stages: group(&self.kernels.layout, &stages, &sizes[..1]),
-            indirect: group(&self.kernels.indirect_layout, &[b.indirect.get()], &[]),
+            front: self.group(&self.kernels.front_layout, &front.map(|g| g.get()), &sizes[1..]),
+            stages: self.stages_group(&b.color, &b.depth),
+            indirect: self.group(&self.kernels.indirect_layout, &[b.indirect.get()], &[]),
         });
+    }
+
+    /// A bind group of storage buffers, and parameters of these sizes.
+    fn group(&self, layout: &wgpu::BindGroupLayout, storage: &[&wgpu::Buffer], params: &[u64]) -> wgpu::BindGroup {
+        let storage = storage.iter().map(|b| b.as_entire_binding());
+        let params = params.iter().map(|&size| {
+            let buffer = self.buffers.params.get();
+            wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer, offset: 0, size: wgpu::BufferSize::new(size) })
+        });
+        let entries: Vec<_> =
+            storage.chain(params).enumerate().map(|(k, resource)| wgpu::BindGroupEntry { binding: k as u32, resource }).collect();
+        self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+    }
+
+    /// What the stages behind the front end read and write.
+    fn stages_group(&self, color: &wgpu::Buffer, depth: &wgpu::Buffer) -> wgpu::BindGroup {
+        let b = &self.buffers;
+        let [uniforms, records, triangles, planes, lists, segments] =
+            [&b.uniforms, &b.records, &b.triangles, &b.planes, &b.lists, &b.front].map(|g| g.get());
+        let stages = [uniforms, records, triangles, planes, lists, color, depth, self.heap.buffer(), segments];
+        self.group(&self.kernels.layout, &stages, &[size_of::<Params>() as u64])
     }
 
     fn planner<'a>(&'a self, batch: &'a Batch) -> Planner<'a> {
@@ -432,6 +437,23 @@ impl Executor {
             let places = prepared.plan.actions.iter().map(|a| a.0).collect();
             self.pending = Some(Pending { batch, places });
         }
+    }
+
+    /// Makes every pixel of `to` the mean of its samples in `from`.
+    pub fn resolve(&mut self, from: &wgpu::Buffer, to: &wgpu::Buffer, size: [u32; 2], format: SurfaceFormat) {
+        let Gpu { device, queue, .. } = self.gpu;
+        let params = Params { size, samples: format.samples, zero: -0.0, ..Params::default() };
+        self.buffers.params.upload(device, queue, bytes_of(&params));
+        let bound = self.stages_group(from, to);
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+            pass.set_pipeline(&self.kernels.stage(self.gpu, Stage::Resolve(format.color)));
+            pass.set_bind_group(0, &bound, &[0]);
+            let (x, y) = grid((size[0] * size[1]).div_ceil(self.kernels.config.shape.list_lanes));
+            pass.dispatch_workgroups(x, y, 1);
+        }
+        queue.submit([encoder.finish()]);
     }
 
     /// Draws a batch `frames` times, uploaded once, and returns the times of its stages on the device, frame by frame; only one time
@@ -620,7 +642,8 @@ impl Dispatcher<'_> {
             Some(_) => s.direct(lanes_wanted.div_ceil(lanes), name),
             None => s.indirect(dispatch + word, name),
         };
-        self.stage(Stage::Bin);
+        let several = p.samples > 1;
+        self.stage(Stage::Bin(several));
         let triangles = action.triangles.unwrap_or(0);
         sized(self, triangles * if triangles < FEW_TRIANGLES { p.bins[1] } else { 1 }, 0, "bin");
         self.stage(Stage::Count);
@@ -629,7 +652,7 @@ impl Dispatcher<'_> {
         self.direct(1, "scan");
         self.stage(Stage::Emit);
         sized(self, supers * emit_lanes(self.kernels.config.shape), 8, "emit");
-        self.stage(Stage::Tile);
+        self.stage(Stage::Tile(several));
         self.indirect(indirect::TILE, "tile");
         self.stage(Stage::Active);
         self.direct(bins, "active");
@@ -648,7 +671,7 @@ fn clear_by_copy(
     buffers: [&wgpu::Buffer; 2],
 ) -> bool {
     let words = format.color.words();
-    let pixels_of = p.size[0] as usize * p.size[1] as usize;
+    let pixels_of = p.size[0] as usize * p.size[1] as usize * format.samples as usize;
     let used = if format.stencil { !0 } else { 0xff_ffff };
     let (color, depth) = (p.clear_mask != [0; 4], p.clear_depth_mask != 0);
     let whole = p.clear_min == [0; 2] && p.clear_max == p.size.map(|s| s as i32);

@@ -7,7 +7,7 @@ use super::glue::{Planes, glue};
 use super::source::{Options, expand, files};
 use super::stage::arithmetic_flags;
 use super::texture::{self, TextureClass};
-use crate::device::ColorFormat;
+use crate::device::{ColorFormat, samples};
 use crate::program::Program;
 use crate::raster::layout::blend_factor::{self, ONE_MINUS_SRC_ALPHA, SRC_ALPHA};
 
@@ -37,6 +37,14 @@ pub mod feature {
     pub const MIXED_INTERPOLATION: u32 = 1 << 13;
     /// Some triangle may reach beyond the scissor: its bounds are looked at beside its edges.
     pub const CUT: u32 = 1 << 14;
+    /// Some draw leaves samples out.
+    pub const DROPS_SAMPLES: u32 = 1 << 15;
+    pub const ALPHA_TO_COVERAGE: u32 = 1 << 16;
+    pub const ALPHA_TO_ONE: u32 = 1 << 17;
+    /// Some draw has a depth range other than 0 to 1.
+    pub const DEPTH_RANGE: u32 = 1 << 18;
+    /// Some draw has a polygon offset.
+    pub const OFFSET: u32 = 1 << 19;
 }
 
 /// Blending of a segment.
@@ -65,11 +73,31 @@ pub struct FineKey {
     pub depth_bits: u32,
     /// What each texture slot needs.
     pub textures: Vec<TextureClass>,
+    /// Samples of a pixel.
+    pub samples: u32,
+}
+
+/// What `shaders/color.wgsl` and `shaders/blend.wgsl` have to know of a format.
+pub fn color_flags(options: &mut Options, color: ColorFormat) {
+    options.flag(
+        match color {
+            ColorFormat::Rgba8 => "COLOR_RGBA8",
+            ColorFormat::Rgbx8 => "COLOR_RGBX8",
+            ColorFormat::Rgb565 => "COLOR_RGB565",
+            ColorFormat::Rgba16 => "COLOR_RGBA16",
+            ColorFormat::Rgba32f => "COLOR_RGBA32F",
+        },
+        true,
+    );
+    options.flag(["COLOR_WORDS_1", "COLOR_WORDS_2", "", "COLOR_WORDS_4"][color.words() - 1], true);
+    options.flag("COLOR_UNORM", color != ColorFormat::Rgba32f);
+    options.flag("COLOR_8BIT", matches!(color, ColorFormat::Rgba8 | ColorFormat::Rgbx8));
 }
 
 impl FineKey {
     /// The text of a fine kernel.
     pub fn source(&self, shape: Shape, program: &Program, constants: &str) -> String {
+        let shape = self.shape(shape);
         let (options, extra) = self.options(shape, program, Planes::Loaded);
         let mut source = format!("const TP_LANES = {}u;\n{extra}{constants}", shape.fine_lanes);
         for file in [files::COMMON, files::ARITHMETIC] {
@@ -78,6 +106,12 @@ impl FineKey {
         self.shading(&options, program, &mut source);
         expand(files::FINE, &options, &mut source);
         source
+    }
+
+    /// The shape that serves the key: on a GPU, a lane that holds many samples has room for one pixel only.
+    fn shape(&self, shape: Shape) -> Shape {
+        let fine_lanes = if self.samples >= 8 && shape.vectors() { 64 } else { shape.fine_lanes };
+        Shape { fine_lanes, ..shape }
     }
 
     /// Appends the per-fragment operations and the program.
@@ -96,7 +130,8 @@ impl FineKey {
 
     /// Flags, texts to insert, and constants.
     pub fn options(&self, shape: Shape, program: &Program, planes: Planes) -> (Options, String) {
-        let mut options = Options::default();
+        let mut options = Options { samples: self.samples, ..Options::default() };
+        options.flag("SAMPLES", self.samples > 1);
         let on = |bit: u32| self.features & bit != 0;
         for (name, bit) in [
             ("DEPTH_BUFFER", feature::DEPTH_BUFFER),
@@ -113,11 +148,17 @@ impl FineKey {
             ("STATE_FLAGS", feature::MIXED),
             ("MIXED_INTERPOLATION", feature::MIXED_INTERPOLATION),
             ("CUT", feature::CUT),
+            ("DROPS_SAMPLES", feature::DROPS_SAMPLES),
+            ("ALPHA_TO_COVERAGE", feature::ALPHA_TO_COVERAGE),
+            ("ALPHA_TO_ONE", feature::ALPHA_TO_ONE),
+            ("DEPTH_RANGE", feature::DEPTH_RANGE),
+            ("OFFSET", feature::OFFSET),
         ] {
             options.flag(name, on(bit));
         }
         let writes_depth = program.writes_depth && on(feature::SHADES) && on(feature::DEPTH_TEST);
         options.flag("WRITES_DEPTH", writes_depth);
+        options.flag("SAMPLE_DEPTH", on(feature::DEPTH_TEST) && !writes_depth);
         // The stencil buffer changes where the depth test fails, but not where the program or the alpha test kills.
         options.flag("NEEDS_KILL_FIRST", on(feature::STENCIL_TEST) && (program.discards || on(feature::ALPHA_TEST)));
         options.flag("TEXTURES", on(feature::SHADES) && !self.textures.is_empty());
@@ -130,38 +171,38 @@ impl FineKey {
         options.flag("SUBGROUP8", shape.subgroup8);
         options.flag("VECTORS", planes == Planes::Loaded && shape.vectors());
         arithmetic_flags(&mut options, shape);
-        options.flag(
-            match self.color {
-                ColorFormat::Rgba8 => "COLOR_RGBA8",
-                ColorFormat::Rgbx8 => "COLOR_RGBX8",
-                ColorFormat::Rgb565 => "COLOR_RGB565",
-                ColorFormat::Rgba16 => "COLOR_RGBA16",
-                ColorFormat::Rgba32f => "COLOR_RGBA32F",
-            },
-            true,
-        );
-        options.flag(["COLOR_WORDS_1", "COLOR_WORDS_2", "", "COLOR_WORDS_4"][self.color.words() - 1], true);
-        options.flag("COLOR_UNORM", self.color != ColorFormat::Rgba32f);
-        options.flag("COLOR_8BIT", matches!(self.color, ColorFormat::Rgba8 | ColorFormat::Rgbx8));
+        color_flags(&mut options, self.color);
+        let _ = writeln!(extra, "const TP_SAMPLES = {}u;", self.samples);
+        for (k, [x, y]) in samples::positions(self.samples).iter().enumerate() {
+            let _ = writeln!(extra, "const TP_SAMPLE_X{k} = {x};\nconst TP_SAMPLE_Y{k} = {y};");
+        }
+        let mut second = on(feature::DROPS_SAMPLES);
         match self.blend {
             _ if !on(feature::BLEND) => {}
             BlendKey::Dynamic => {
                 options.flag("BLEND_DYNAMIC", true);
                 options.flag("BLEND_CONSTANT", true);
+                second = true;
             }
             BlendKey::Fixed(f, e) => {
-                options.flag("BLEND_CONSTANT", f.iter().any(|&f| f >= blend_factor::CONSTANT_COLOR));
+                let constant = f.iter().any(|&f| f >= blend_factor::CONSTANT_COLOR);
+                options.flag("BLEND_CONSTANT", constant);
+                second |= constant;
                 let eight_bits = self.color == ColorFormat::Rgba8 && !on(feature::MIXED) && !on(feature::LOGIC_OP);
                 let over = f == [SRC_ALPHA, ONE_MINUS_SRC_ALPHA, SRC_ALPHA, ONE_MINUS_SRC_ALPHA] && e == [0; 2];
                 // In floats where integers are slower, two bytes at a time elsewhere. Some compilers without fused operations drop
                 // additions that only round, so that the first is not for them.
-                options.flag("FLOAT_PIXELS", eight_bits && over && shape.fuses);
-                options.flag("BLEND_ALPHA", eight_bits && over && !shape.fuses);
+                // They take four registers a sample.
+                let floats = shape.fuses && self.samples <= 8;
+                options.flag("FLOAT_PIXELS", eight_bits && over && floats);
+                options.flag("BLEND_ALPHA", eight_bits && over && !floats);
                 options.flag("BLEND_UNIFORM", f[0] == f[2] && f[1] == f[3] && e[0] == e[1]);
                 let _ = writeln!(extra, "const TP_BLEND_FACTORS = vec4<u32>({}u, {}u, {}u, {}u);", f[0], f[1], f[2], f[3]);
                 let _ = writeln!(extra, "const TP_BLEND_EQUATIONS = vec2<u32>({}u, {}u);", e[0], e[1]);
             }
         }
+        // The second eight words of a draw's state.
+        options.flag("STATE_SECOND", second);
         let glue = glue(program, self, shape, planes);
         options.inserts.insert("TEXTURES", texture::loads(&self.textures));
         options.inserts.insert("PLANES", glue.planes);

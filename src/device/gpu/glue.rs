@@ -70,7 +70,8 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape, source: Planes) -> G
     if needs_w {
         words.extend(3..6);
     }
-    if needs_z {
+    let offset = needs_z && on(feature::OFFSET);
+    if offset {
         words.push(6);
     }
     for &k in &varyings {
@@ -121,7 +122,7 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape, source: Planes) -> G
         }
     }
     if needs_z {
-        glue.depth.push_str("let z = tp_fma(y, p2, zx) + p6;\n");
+        glue.depth.push_str(if offset { "let z = tp_fma(y, p2, zx) + p6;\n" } else { "let z = tp_fma(y, p2, zx);\n" });
     }
     if on(feature::DEPTH_TEST) && !program.writes_depth {
         glue.depth.push_str("let depth = tp_quantise(state, z);\n");

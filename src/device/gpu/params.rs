@@ -58,7 +58,7 @@ pub struct Params {
     pub bins: [u32; 2],
     /// Masks of triangles: a word for each bin and block.
     pub mask_base: u32,
-    /// Counts, later offsets within the bin's list: a word for each bin and super block.
+    /// Counts, later offsets within the bin's list: a word for each super block and bin.
     pub count_base: u32,
     /// For each bin the first block of its list and its length.
     pub bin_base: u32,
@@ -100,8 +100,10 @@ pub struct Params {
     pub action: u32,
     /// 2^23, for sums that round to integers and that no compiler may simplify.
     pub magic: f32,
+    /// Samples of a pixel.
+    pub samples: u32,
     /// Reserved, zero.
-    pub reserved: [u32; 2],
+    pub reserved: u32,
 }
 
 /// Parameters of the front end. Offsets are words of its records, unless said otherwise.
@@ -223,7 +225,8 @@ mod tests {
             clear_color,
             clear_mask,
             action,
-            magic
+            magic,
+            samples
         );
         assert_eq!(members(files::COMMON, "TpParams"), rust);
     }

@@ -36,6 +36,7 @@ pub fn pack_draw(batch: &Batch, index: usize, flags: u32, stipples: u32, texture
     for c in 0..4 {
         words[10 + c] = state.blend_color[c].to_bits();
     }
+    words[14] = state.dropped_samples;
     for (face, to) in state.stencil.iter().zip(words[16..].chunks_mut(8)) {
         to[..7].copy_from_slice(&[face.func, face.reference, face.read_mask, face.write_mask & 255, face.ops[0], face.ops[1], face.ops[2]]);
     }

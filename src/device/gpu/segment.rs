@@ -30,6 +30,9 @@ pub fn served_flags(batch: &Batch, index: usize, format: SurfaceFormat) -> u32 {
     if format.color == ColorFormat::Rgba32f {
         flags &= !fragment_flags::LOGIC_OP;
     }
+    if format.samples == 1 {
+        flags &= !(fragment_flags::ALPHA_TO_COVERAGE | fragment_flags::ALPHA_TO_ONE);
+    }
     flags
 }
 
@@ -60,15 +63,24 @@ pub fn needs(batch: &Batch, index: usize, format: SurfaceFormat) -> DrawNeeds {
     set(feature::STENCIL_TEST, on(fragment_flags::STENCIL_TEST));
     set(feature::DEPTH_BUFFER, on(fragment_flags::DEPTH_TEST) || on(fragment_flags::STENCIL_TEST));
     set(feature::ALPHA_TEST, on(fragment_flags::ALPHA_TEST));
-    set(feature::CUT, !stays_inside(batch, index));
+    // One of 16 samples lies on the border of its pixel, where a triangle that ends at the border of the surface may cover it.
+    set(feature::CUT, format.samples == 16 || !stays_inside(batch, index));
+    set(feature::DEPTH_RANGE, raster.depth_range != [0.0, 1.0]);
+    let offsets = raster_flags::OFFSET_POINT | raster_flags::OFFSET_LINE | raster_flags::OFFSET_FILL;
+    set(feature::OFFSET, raster.flags & offsets != 0);
+    let several = format.samples > 1;
+    set(feature::DROPS_SAMPLES, several && state.dropped_samples != 0);
+    set(feature::ALPHA_TO_COVERAGE, on(fragment_flags::ALPHA_TO_COVERAGE));
+    set(feature::ALPHA_TO_ONE, on(fragment_flags::ALPHA_TO_ONE));
     set(feature::STIPPLE, batch.polygon_stipples.len() > raster.polygon_stipple as usize);
     let color = state.color_mask & 15 != 0;
     set(feature::COLOR_WRITE, color);
     set(feature::COLOR_MASK, color && state.color_mask & 15 != 15);
     set(feature::BLEND, color && on(fragment_flags::BLEND));
     set(feature::LOGIC_OP, color && on(fragment_flags::LOGIC_OP));
-    set(feature::SHADES, color || on(fragment_flags::ALPHA_TEST) || program.discards || program.writes_depth);
-    let shades = color || on(fragment_flags::ALPHA_TEST) || program.discards || program.writes_depth;
+    let reads_alpha = on(fragment_flags::ALPHA_TEST) || on(fragment_flags::ALPHA_TO_COVERAGE);
+    let shades = color || reads_alpha || program.discards || program.writes_depth;
+    set(feature::SHADES, shades);
     let first = draw.record.first_texture as usize;
     let slots = if shades { program.texture_slots as usize } else { 0 };
     let textures = (first..first + slots).map(|k| batch.textures.get(k).map_or(TextureClass::NONE, TextureClass::new)).collect();
@@ -78,7 +90,9 @@ pub fn needs(batch: &Batch, index: usize, format: SurfaceFormat) -> DrawNeeds {
         | fragment_flags::STENCIL_TEST
         | fragment_flags::ALPHA_TEST
         | fragment_flags::BLEND
-        | fragment_flags::LOGIC_OP;
+        | fragment_flags::LOGIC_OP
+        | fragment_flags::ALPHA_TO_COVERAGE
+        | fragment_flags::ALPHA_TO_ONE;
     DrawNeeds { program: program.id, features, flags: flags & deciding, blend, depth_func: state.depth_func, textures }
 }
 
@@ -104,6 +118,7 @@ impl Segment {
             depth_func: Some(needs.depth_func),
             depth_bits: format.depth.bits(),
             textures: needs.textures.clone(),
+            samples: format.samples,
         };
         Segment { key, flags: needs.flags, draw }
     }

@@ -1,7 +1,8 @@
 //! Kernel sources: the WGSL files, the constants that come from the Rust records, and what a key leaves out.
 //!
 //! Lines `//#if FLAG`, `//#else`, `//#endif`, `//#insert NAME`, `//#load NAME BUFFER PLACE` and the words `WORD(NAME, k)` in the
-//! shaders are read by [`expand`]. Everything else is plain WGSL.
+//! shaders are read by [`expand`]; the lines between `//#each $` and `//#end` are repeated for every sample, whose number stands for
+//! the `$`. Everything else is plain WGSL.
 
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
@@ -19,6 +20,8 @@ pub struct Options {
     pub flags: HashSet<&'static str>,
     /// Texts of `//#insert`.
     pub inserts: HashMap<&'static str, String>,
+    /// Samples of a pixel, for `//#each`.
+    pub samples: u32,
 }
 
 impl Options {
@@ -87,6 +90,8 @@ pub mod files {
     pub const FRAGMENT_OPS: File = File { name: "fragment_ops.wgsl", text: include_str!("../../../shaders/fragment_ops.wgsl") };
     pub const STATE: File = File { name: "state.wgsl", text: include_str!("../../../shaders/state.wgsl") };
     pub const FINE: File = File { name: "fine.wgsl", text: include_str!("../../../shaders/fine.wgsl") };
+    pub const FINE_SAMPLES: File = File { name: "fine_samples.wgsl", text: include_str!("../../../shaders/fine_samples.wgsl") };
+    pub const RESOLVE: File = File { name: "resolve.wgsl", text: include_str!("../../../shaders/resolve.wgsl") };
     pub const TEXTURE: File = File { name: "texture.wgsl", text: include_str!("../../../shaders/texture.wgsl") };
 }
 
@@ -122,7 +127,8 @@ fn words_of_loads(line: &str, options: &Options, loads: &[(String, String)], out
 fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)>, out: &mut String) {
     // For each open //#if: whether its text counts.
     let mut open: Vec<bool> = Vec::new();
-    for line in source.lines() {
+    let mut lines = source.lines();
+    while let Some(line) = lines.next() {
         let mut words = line.trim_start().split_whitespace();
         match words.next() {
             Some("//#if") => {
@@ -149,6 +155,17 @@ fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)
                 }
                 loads.push((name.to_string(), buffer.to_string()));
             }
+            Some("//#each") => {
+                let mut block = String::new();
+                for line in lines.by_ref().take_while(|line| line.trim() != "//#end") {
+                    block.push_str(line);
+                    block.push('\n');
+                }
+                if open.iter().all(|&o| o) {
+                    (0..options.samples).for_each(|k| expand_with(&block.replace('$', &k.to_string()), options, loads, out));
+                }
+            }
+            Some("//#samples") if open.iter().all(|&o| o) => expand_with(&files::FINE_SAMPLES.read(), options, loads, out),
             Some("//#state") => expand_with(&files::STATE.read(), options, loads, out),
             Some("//#insert") if open.iter().all(|&o| o) => {
                 let name = words.next().unwrap_or_default();
@@ -234,6 +251,8 @@ pub fn record_constants() -> String {
         ("TP_PERSPECTIVE", triangle_flags::PERSPECTIVE),
         ("TP_BOTTOM_UP", triangle_flags::BOTTOM_UP),
         ("TP_CUT", triangle_flags::CUT),
+        ("TP_MULTISAMPLE", triangle_flags::MULTISAMPLE),
+        ("TP_MULTISAMPLE_STATE", raster_flags::MULTISAMPLE),
         ("TP_NONE", NONE),
         // As columns or rows: the first is greater than the last.
         ("TP_NOWHERE", 0xffff),
@@ -275,6 +294,8 @@ pub fn record_constants() -> String {
         ("TP_ALPHA_TEST_ON", fragment_flags::ALPHA_TEST),
         ("TP_BLEND_ON", fragment_flags::BLEND),
         ("TP_LOGIC_OP_ON", fragment_flags::LOGIC_OP),
+        ("TP_ALPHA_TO_COVERAGE_ON", fragment_flags::ALPHA_TO_COVERAGE),
+        ("TP_ALPHA_TO_ONE_ON", fragment_flags::ALPHA_TO_ONE),
     ] {
         let _ = writeln!(out, "const {name} = {value}u;");
     }

@@ -3,7 +3,9 @@
 use std::fmt::Write;
 
 use super::adapter::Shape;
+use super::fine::color_flags;
 use super::source::{File, Options, expand, files};
+use crate::device::ColorFormat;
 use crate::program::{Output, Program};
 
 /// Lanes of the set-up stages on a GPU.
@@ -29,14 +31,18 @@ pub enum Stage {
     Setup(u32),
     /// All others.
     Clip(u32),
-    Bin,
+    /// Whether pixels have several samples.
+    Bin(bool),
     Count,
     Scan,
     Emit,
-    Tile,
+    /// See `Bin`.
+    Tile(bool),
     Active,
     /// Words of a colour pixel.
     Clear(u32),
+    /// The samples of pixels with such colours become one.
+    Resolve(ColorFormat),
     /// A kernel of the visible path, its depth function's LEQUAL, and bits of depth.
     Visible(Visible, bool, u32),
 }
@@ -99,8 +105,9 @@ impl Stage {
                 lanes = if wide { 256 } else { lanes };
                 &[files::OFFSETS]
             }
-            Stage::Bin => {
+            Stage::Bin(samples) => {
                 options.flag("ATOMIC_LISTS", true);
+                options.flag("SAMPLES", samples);
                 &[files::BIN]
             }
             Stage::Count => &[files::COUNT],
@@ -109,7 +116,14 @@ impl Stage {
                 &[files::SCAN]
             }
             Stage::Emit => &[files::EMIT],
-            Stage::Tile => &[files::TILE],
+            Stage::Tile(samples) => {
+                options.flag("SAMPLES", samples);
+                &[files::TILE]
+            }
+            Stage::Resolve(color) => {
+                color_flags(&mut options, color);
+                &[files::COLOR, files::RESOLVE]
+            }
             Stage::Visible(which, lequal, depth_bits) => {
                 lanes = VISIBLE_LANES;
                 options.flag("VISIBLE", true);

@@ -11,7 +11,7 @@ use super::execute::{Buffers, Executor};
 use super::kernels::Kernels;
 use super::profile::StageTime;
 use crate::device::plane::{self, Storage};
-use crate::device::{ColorFormat, Plane, PlaneFormat, SharedPlane, Surface, Target, samples};
+use crate::device::{Plane, PlaneFormat, SharedPlane, Surface, Target};
 use crate::draw::Batch;
 
 /// A plane's pixels on the GPU: rows, sample by sample.
@@ -151,20 +151,11 @@ impl Surface for GpuSurface {
         let new = || (GpuPlane::plane(self.gpu, size, 1, PlaneFormat::Color(format.color)), u64::MAX);
         let (plane, of) = self.resolved.get_or_insert_with(new);
         if std::mem::replace(of, version) != version {
-            resolve(&mut plane::lock(&self.target.color), &mut plane::lock(plane), format.color);
+            let from = plane::lock(&self.target.color).storage::<GpuPlane>().map(|plane| plane.buffer.clone());
+            if let (Some(from), Some(to)) = (from, buffer(plane)) {
+                self.executor.resolve(&from, &to, size, format);
+            }
         }
         plane
-    }
-}
-
-/// Makes every pixel of `to` the mean of its samples in `from`.
-fn resolve(from: &mut Plane, to: &mut Plane, format: ColorFormat) {
-    let words = format.words();
-    let all: Vec<&[u32]> = from.rows().chunks_exact(to.words().max(1)).collect();
-    let mut pixel: Vec<&[u32]> = Vec::with_capacity(all.len());
-    for (k, out) in to.rows_mut().chunks_exact_mut(words).enumerate() {
-        pixel.clear();
-        pixel.extend(all.iter().map(|s| &s[k * words..][..words]));
-        samples::mean(format, &pixel, out);
     }
 }

@@ -412,3 +412,46 @@ fn every_wrap_mode_and_filter_samples_the_same_texels() {
         compare_executors(&builder.batch, size, FORMAT);
     }
 }
+
+#[test]
+fn samples_are_the_same_on_both_executors() {
+    let size = [150, 110];
+    let mut random = Random(9);
+    let states = [
+        0,
+        fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE,
+        fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE | fragment_flags::BLEND,
+        fragment_flags::ALPHA_TO_COVERAGE | fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE,
+        fragment_flags::ALPHA_TO_COVERAGE | fragment_flags::ALPHA_TO_ONE | fragment_flags::BLEND,
+        fragment_flags::STENCIL_TEST | fragment_flags::DEPTH_TEST | fragment_flags::ALPHA_TEST,
+    ];
+    for (name, gpu) in all_ways() {
+        let Ok(gpu) = gpu else { continue };
+        for samples in [2, 4, 8, 16] {
+            let mut builder = Builder::new(size[0], size[1]);
+            let single = builder.batch.raster_states[0];
+            builder.batch.raster_states.push(RasterState { flags: single.flags | raster_flags::MULTISAMPLE, ..single });
+            for (k, flags) in states.into_iter().enumerate() {
+                let mut state = FragmentState { flags, alpha_func: compare::GREATER, alpha_ref: 0.3, ..fragment_state() };
+                state.dropped_samples = if k == 1 { 2 } else { 0 };
+                state.stencil = [StencilFace { func: compare::ALWAYS, write_mask: 255, ops: [stencil_op::INCR; 3], ..state.stencil[0] }; 2];
+                let (topology, vertices) = match k % 3 {
+                    0 => (topology::TRIANGLES, soup(&mut random, 30, 1.0, true)),
+                    1 => (topology::TRIANGLES, soup(&mut random, 200, 0.1, false)),
+                    _ => (topology::LINES, soup(&mut random, 20, 0.8, false)),
+                };
+                builder.draw(topology, &vertices, (k != 2) as u32, state);
+            }
+            let format = SurfaceFormat { samples, ..FORMAT };
+            println!("{name}, {samples} samples");
+            compare_with(&gpu, &builder.batch, size, format);
+            // Resolved on the device, too.
+            let resolved = |device: &dyn Device| {
+                let mut surface = device.surface(size[0], size[1], format);
+                surface.execute(builder.batch.clone());
+                surface.color_pixels().color.to_vec()
+            };
+            assert_eq!(resolved(&CpuDevice::new()), resolved(&gpu), "{name}, {samples} samples, resolved");
+        }
+    }
+}

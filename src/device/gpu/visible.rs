@@ -21,7 +21,13 @@ pub const RESOLVE_LANES: u32 = 256;
 /// Whether the fragments of a segment with this key may be drawn in any order, only the nearest being shaded.
 pub fn serves(key: &FineKey, program: &Program) -> bool {
     let wanted = feature::DEPTH_TEST | feature::DEPTH_WRITE | feature::COLOR_WRITE | feature::SHADES;
-    let allowed = wanted | feature::DEPTH_BUFFER | feature::PERSPECTIVE | feature::MIXED_INTERPOLATION | feature::CUT;
+    let allowed = wanted
+        | feature::DEPTH_BUFFER
+        | feature::PERSPECTIVE
+        | feature::MIXED_INTERPOLATION
+        | feature::CUT
+        | feature::DEPTH_RANGE
+        | feature::OFFSET;
     key.features & wanted == wanted
         && key.features & !allowed == 0
         && matches!(key.depth_func, Some(compare::LESS | compare::LEQUAL))
