@@ -111,7 +111,7 @@ impl Context {
             size: [pixels.width, pixels.height],
             rows: if aspect == Aspect::Color { pixels.color.to_vec() } else { pixels.depth_stencil.to_vec() },
         };
-        let Some(mut from) = self.look_at_pixels(aspect, copy) else { return };
+        let Some(mut from) = self.look_at_samples(aspect, copy) else { return };
         if aspect == Aspect::Color {
             from.rows = self.expand_colors(from.format.color, from.rows);
         }

@@ -229,6 +229,20 @@ impl Context {
             }
             GL_TEXTURE_LUMINANCE_SIZE | GL_TEXTURE_INTENSITY_SIZE => format.map_or(0, |f| f.size_of(pname)),
             GL_TEXTURE_DEPTH_SIZE | GL_TEXTURE_STENCIL_SIZE => format.map_or(0, |f| f.size_of(pname)),
+            GL_TEXTURE_RED_TYPE_ARB..=GL_TEXTURE_DEPTH_TYPE_ARB => {
+                // Of red, green, blue, alpha, luminance, intensity and depth.
+                const SIZES: [GLenum; 7] = [
+                    GL_TEXTURE_RED_SIZE,
+                    GL_TEXTURE_GREEN_SIZE,
+                    GL_TEXTURE_BLUE_SIZE,
+                    GL_TEXTURE_ALPHA_SIZE,
+                    GL_TEXTURE_LUMINANCE_SIZE,
+                    GL_TEXTURE_INTENSITY_SIZE,
+                    GL_TEXTURE_DEPTH_SIZE,
+                ];
+                let size = format.map_or(0, |f| f.size_of(SIZES[(pname - GL_TEXTURE_RED_TYPE_ARB) as usize]));
+                if size > 0 { GL_UNSIGNED_NORMALIZED as i32 } else { GL_NONE as i32 }
+            }
             GL_TEXTURE_COMPRESSED => 0,
             _ => return Err(GL_INVALID_ENUM),
         })

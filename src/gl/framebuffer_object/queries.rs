@@ -134,7 +134,7 @@ impl Context {
 
     /// The same of the draw framebuffer, with its samples. Of an incomplete one nothing is known.
     fn draw_bits(&self) -> ([u8; 6], u32) {
-        let Some(framebuffer) = self.fbo.get(self.fbo.draw) else { return (self.buffer_bits(), 0) };
+        let Some(framebuffer) = self.fbo.get(self.fbo.draw) else { return (self.buffer_bits(), self.window_samples()) };
         if self.framebuffer_status(self.fbo.draw) != GL_FRAMEBUFFER_COMPLETE {
             return ([0; 6], 0);
         }
@@ -145,6 +145,11 @@ impl Context {
         let stencil = image(framebuffer.stencil.as_ref()).map_or(0, |i| i.format.bits[5]);
         let samples = framebuffer.attachments().find_map(|a| self.attached_image(a)).map_or(0, |i| i.samples);
         ([color[0], color[1], color[2], color[3], depth, stencil], samples)
+    }
+
+    /// GL_SAMPLES of the window.
+    pub(crate) fn window_samples(&self) -> u32 {
+        if self.config.samples > 1 { self.config.samples } else { 0 }
     }
 
     /// Draw buffer `index` of the draw framebuffer.

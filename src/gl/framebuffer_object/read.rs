@@ -31,10 +31,18 @@ impl Framebuffer {
 impl Context {
     /// Runs `f` on the pixels that reads of this kind come from. `None` where there are none.
     pub(crate) fn look_at_pixels<R>(&mut self, aspect: Aspect, f: impl FnOnce(&Pixels) -> R) -> Option<R> {
+        if self.fbo.read != 0 || aspect != Aspect::Color {
+            return self.look_at_samples(aspect, f);
+        }
+        self.flush_batch();
+        Some(f(&self.window.as_mut()?.color_pixels()))
+    }
+
+    /// The same with all samples of a multisampled window.
+    pub(crate) fn look_at_samples<R>(&mut self, aspect: Aspect, f: impl FnOnce(&Pixels) -> R) -> Option<R> {
         self.flush_batch();
         let Some(framebuffer) = self.fbo.get(self.fbo.read) else {
-            let window = self.window.as_mut()?;
-            return Some(f(&if aspect == Aspect::Color { window.color_pixels() } else { window.pixels() }));
+            return Some(f(&self.window.as_mut()?.pixels()));
         };
         let plane = framebuffer.source(aspect).and_then(|a| self.attached_plane(a))?;
         self.fbo.view.settle();
@@ -54,8 +62,8 @@ impl Context {
 
     /// GL_SAMPLES of what is read from.
     pub(crate) fn read_samples(&self) -> u32 {
-        let framebuffer = self.fbo.get(self.fbo.read);
-        framebuffer.and_then(|f| f.attachments().find_map(|a| self.attached_image(a))).map_or(0, |image| image.samples)
+        let Some(framebuffer) = self.fbo.get(self.fbo.read) else { return self.window_samples() };
+        framebuffer.attachments().find_map(|a| self.attached_image(a)).map_or(0, |image| image.samples)
     }
 
     /// There is a buffer to read this from.
@@ -106,7 +114,8 @@ impl Context {
             GL_DEPTH_STENCIL => self.can_read(Aspect::Depth) && self.can_read(Aspect::Stencil),
             _ => self.can_read(Aspect::Color),
         };
-        if there && self.read_samples() == 0 { Ok(()) } else { Err(GL_INVALID_OPERATION) }
+        // The window's samples are resolved for whoever reads it.
+        if there && (self.fbo.read == 0 || self.read_samples() == 0) { Ok(()) } else { Err(GL_INVALID_OPERATION) }
     }
 }
 

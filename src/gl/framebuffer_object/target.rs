@@ -285,7 +285,8 @@ impl Context {
 
     /// GL_SAMPLES of what is drawn to.
     pub(crate) fn draw_samples(&self) -> u32 {
-        if self.fbo.draw != 0 && self.fbo.view.format.samples > 1 { self.fbo.view.format.samples } else { 0 }
+        let samples = self.draw_format().samples;
+        if samples > 1 { samples } else { 0 }
     }
 
     /// Runs `f` on the pixels that are drawn to, with the mask of the components that may change: once for each draw buffer, or for
