@@ -42,9 +42,10 @@ impl AccumBuffer {
 }
 
 impl Context {
-    /// The part of the window that the scissor leaves.
+    /// The part of what is drawn to that the scissor leaves.
     pub(crate) fn scissored_window(&self) -> Rect {
-        let window = Rect::new(0, 0, self.window_size[0] as i32, self.window_size[1] as i32);
+        let [width, height] = self.draw_size().map(|n| n as i32);
+        let window = Rect::new(0, 0, width, height);
         let scissor = &self.state.scissor;
         if scissor.test { window.and(Rect::new(scissor.x, scissor.y, scissor.width, scissor.height)) } else { window }
     }
@@ -60,7 +61,7 @@ impl Context {
 
     /// The GL_ACCUM_BUFFER_BIT of glClear. Nothing happens where the context has no accumulation buffer.
     pub(crate) fn clear_accum_buffer(&mut self) {
-        if self.config.accum_bits == 0 {
+        if self.config.accum_bits == 0 || self.fbo.draw != 0 {
             return;
         }
         let value = self.state.accum_clear.map(clear_value);
@@ -77,7 +78,7 @@ impl Context {
         if !matches!(op, GL_ACCUM | GL_LOAD | GL_ADD | GL_MULT | GL_RETURN) {
             return self.set_error(GL_INVALID_ENUM, "glAccum");
         }
-        if self.config.accum_bits == 0 {
+        if self.config.accum_bits == 0 || self.fbo.draw != 0 || self.fbo.read != 0 {
             return self.set_error(GL_INVALID_OPERATION, "glAccum without an accumulation buffer");
         }
         if self.render_mode != GL_RENDER {
@@ -96,7 +97,7 @@ impl Context {
     }
 
     fn load_accum(&mut self, rect: Rect, value: f32, add: bool) {
-        let Some((rect, groups)) = self.read_window_colors(rect) else { return };
+        let Some((rect, groups)) = self.read_colors(rect) else { return };
         let colors = match groups {
             Groups::Rgba8(p) => p.iter().map(|p| p.to_le_bytes().map(|c| c as f32 * (1.0 / 255.0))).collect(),
             Groups::Rgba(p) => p,
@@ -115,7 +116,7 @@ impl Context {
     }
 
     fn return_accum(&mut self, rect: Rect, value: f32) {
-        if self.state.color_buffer.draw_buffer == GL_NONE {
+        if !self.draws_color() {
             return;
         }
         let mask = self.state.color_buffer.color_mask.iter().enumerate().fold(0, |m, (k, &on)| m | (on as u32) << k);

@@ -2,6 +2,7 @@
 
 use super::checks::put;
 use super::enums::*;
+use super::framebuffer_object::MAX_DRAW_BUFFERS;
 use super::state::*;
 use super::texture_object::{TextureObject, TextureTable};
 use super::{Context, dirty};
@@ -18,8 +19,8 @@ enum Group {
     Line(LineState),
     Polygon(PolygonState),
     PolygonStipple(Box<[u32; 32]>),
-    /// Without the pixel maps, which belong to no group.
-    Pixel(Box<PixelState>),
+    /// Without the pixel maps, which belong to no group; with the read buffer of the framebuffer object that was bound.
+    Pixel(Box<PixelState>, Option<(u32, GLenum)>),
     Lighting(Box<LightingState>),
     /// With GL_COLOR_SUM, which belongs to the fog.
     Fog(FogState, bool),
@@ -29,7 +30,8 @@ enum Group {
     Viewport(ViewportState),
     Transform(Box<TransformState>),
     Enables(Box<Enables>),
-    ColorBuffer(Box<ColorBufferState>),
+    /// With the draw buffers of the framebuffer object that was bound.
+    ColorBuffer(Box<ColorBufferState>, Option<(u32, [GLenum; MAX_DRAW_BUFFERS])>),
     Hint(HintState),
     Eval(Box<EvalState>),
     ListBase(u32),
@@ -142,7 +144,10 @@ impl Context {
             GL_LINE_BIT => Group::Line(s.line.clone()),
             GL_POLYGON_BIT => Group::Polygon(s.polygon.clone()),
             GL_POLYGON_STIPPLE_BIT => Group::PolygonStipple(Box::new(s.polygon_stipple)),
-            GL_PIXEL_MODE_BIT => Group::Pixel(Box::new(PixelState { maps: Default::default(), ..s.pixel })),
+            GL_PIXEL_MODE_BIT => {
+                let read = self.fbo.get(self.fbo.read).map(|f| (self.fbo.read, f.read_buffer));
+                Group::Pixel(Box::new(PixelState { maps: Default::default(), ..s.pixel }), read)
+            }
             GL_LIGHTING_BIT => Group::Lighting(Box::new(s.lighting.clone())),
             GL_FOG_BIT => Group::Fog(s.fog.clone(), s.lighting.color_sum),
             GL_DEPTH_BUFFER_BIT => Group::Depth(s.depth.clone()),
@@ -150,7 +155,10 @@ impl Context {
             GL_STENCIL_BUFFER_BIT => Group::Stencil(s.stencil.clone()),
             GL_VIEWPORT_BIT => Group::Viewport(s.viewport.clone()),
             GL_TRANSFORM_BIT => Group::Transform(Box::new(s.transform.clone())),
-            GL_COLOR_BUFFER_BIT => Group::ColorBuffer(Box::new(s.color_buffer.clone())),
+            GL_COLOR_BUFFER_BIT => {
+                let draw = self.fbo.get(self.fbo.draw).map(|f| (self.fbo.draw, f.draw_buffers));
+                Group::ColorBuffer(Box::new(s.color_buffer.clone()), draw)
+            }
             GL_HINT_BIT => Group::Hint(s.hint.clone()),
             GL_EVAL_BIT => Group::Eval(Box::new(s.eval.clone())),
             GL_LIST_BIT => Group::ListBase(s.list_base),
@@ -187,9 +195,13 @@ impl Context {
                 s.polygon_stipple = *saved;
                 dirty::RASTER
             }
-            Group::Pixel(saved) => {
+            Group::Pixel(saved, read) => {
                 let maps = std::mem::take(&mut s.pixel.maps);
-                s.pixel = PixelState { maps, ..*saved };
+                let read_buffer = if read.is_some() { s.pixel.read_buffer } else { saved.read_buffer };
+                s.pixel = PixelState { maps, read_buffer, ..*saved };
+                if let Some((_, buffer)) = read.filter(|(name, _)| *name == self.fbo.read) {
+                    self.read_buffer(buffer);
+                }
                 0
             }
             Group::Lighting(saved) => {
@@ -223,8 +235,12 @@ impl Context {
                 dirty::TRANSFORM | dirty::LIGHTING | dirty::RASTER
             }
             Group::Enables(saved) => return self.restore_enables(&saved),
-            Group::ColorBuffer(saved) => {
-                s.color_buffer = *saved;
+            Group::ColorBuffer(saved, draw) => {
+                let draw_buffers = if draw.is_some() { s.color_buffer.draw_buffers } else { saved.draw_buffers };
+                s.color_buffer = ColorBufferState { draw_buffers, ..*saved };
+                if let Some((_, buffers)) = draw.filter(|(name, _)| *name == self.fbo.draw) {
+                    self.set_draw_buffers(&buffers);
+                }
                 dirty::FRAGMENT
             }
             Group::Hint(saved) => {

@@ -200,6 +200,9 @@ impl Context {
         let Some(mode) = PrimitiveType::from_gl(mode) else {
             return self.set_error(GL_INVALID_ENUM, "glBegin: mode");
         };
+        if !self.can_draw("glBegin") {
+            return;
+        }
         let wanted = self.wanted_attributes(mode.topology());
         let current = &self.state.current;
         self.immediate.begin(mode, wanted, &current.attributes, current.edge_flag);

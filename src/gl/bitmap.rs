@@ -33,6 +33,9 @@ impl Context {
         if size[0] < 0 || size[1] < 0 {
             return self.set_error(GL_INVALID_VALUE, "glBitmap");
         }
+        if !self.can_draw("glBitmap") {
+            return;
+        }
         if !self.state.current.raster.valid {
             return;
         }

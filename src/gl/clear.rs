@@ -1,8 +1,9 @@
-//! The whole framebuffer: clearing, the buffers that are drawn to and read from, viewport, depth range, scissor, and the
-//! commands that make results visible (2.11.1, 4.1.2, 4.2, 4.3.3, 5.5, 5.6).
+//! The whole framebuffer: clearing, viewport, depth range, scissor, and the commands that make results visible (2.11.1, 4.1.2, 4.2.3,
+//! 5.5, 5.6).
 
 use super::enums::*;
 use super::{Context, dirty};
+use crate::device::DepthFormat;
 use crate::draw::Clear;
 
 impl Context {
@@ -14,7 +15,7 @@ impl Context {
         if mask & !(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT) != 0 {
             return self.set_error(GL_INVALID_VALUE, "glClear: mask");
         }
-        if self.render_mode != GL_RENDER || self.window.is_none() {
+        if !self.can_draw("glClear") || self.render_mode != GL_RENDER || !self.has_draw_surface() {
             return;
         }
         let (min, max) = self.drawable_rectangle();
@@ -23,10 +24,11 @@ impl Context {
         }
         let state = &self.state;
         let color = &state.color_buffer;
-        let draws_color = mask & GL_COLOR_BUFFER_BIT != 0 && color.draw_buffer != GL_NONE;
-        let color_mask = if draws_color { (0..4).filter(|&c| color.color_mask[c]).fold(0, |bits, c| bits | 1 << c) } else { 0 };
-        let depth = (mask & GL_DEPTH_BUFFER_BIT != 0 && state.depth.write && self.config.depth_bits > 0).then_some(state.depth.clear);
-        let stencil = (mask & GL_STENCIL_BUFFER_BIT != 0 && self.config.stencil_bits > 0)
+        let format = self.draw_format();
+        let color_mask = if mask & GL_COLOR_BUFFER_BIT != 0 { self.color_write_mask() } else { 0 };
+        let has_depth = format.depth != DepthFormat::None;
+        let depth = (mask & GL_DEPTH_BUFFER_BIT != 0 && state.depth.write && has_depth).then_some(state.depth.clear);
+        let stencil = (mask & GL_STENCIL_BUFFER_BIT != 0 && format.stencil)
             .then(|| (state.stencil.clear as u8, state.stencil.sides[0].write_mask as u8));
         if color_mask != 0 || depth.is_some() || stencil.is_some() {
             self.recorder.clear(Clear { min, max, color: color.clear_color, color_mask, depth, stencil });
@@ -72,37 +74,6 @@ impl Context {
         self.dirty |= dirty::RASTER;
     }
 
-    /// glDrawBuffer. The window has one colour buffer, called front and back at once.
-    pub fn draw_buffer(&mut self, buffer: GLenum) {
-        if self.compile(move |cx| cx.draw_buffer(buffer)) || self.inside_begin_end() {
-            return;
-        }
-        match buffer {
-            GL_NONE | GL_FRONT | GL_BACK | GL_LEFT | GL_FRONT_LEFT | GL_BACK_LEFT | GL_FRONT_AND_BACK => {
-                self.state.color_buffer.draw_buffer = buffer;
-                self.dirty |= dirty::FRAGMENT;
-            }
-            GL_RIGHT | GL_FRONT_RIGHT | GL_BACK_RIGHT | GL_AUX0..=GL_AUX3 => {
-                self.set_error(GL_INVALID_OPERATION, "glDrawBuffer: no such buffer")
-            }
-            _ => self.set_error(GL_INVALID_ENUM, "glDrawBuffer: mode"),
-        }
-    }
-
-    /// glReadBuffer.
-    pub fn read_buffer(&mut self, buffer: GLenum) {
-        if self.compile(move |cx| cx.read_buffer(buffer)) || self.inside_begin_end() {
-            return;
-        }
-        match buffer {
-            GL_FRONT | GL_BACK | GL_LEFT | GL_FRONT_LEFT | GL_BACK_LEFT => self.state.pixel.read_buffer = buffer,
-            GL_RIGHT | GL_FRONT_RIGHT | GL_BACK_RIGHT | GL_AUX0..=GL_AUX3 => {
-                self.set_error(GL_INVALID_OPERATION, "glReadBuffer: no such buffer")
-            }
-            _ => self.set_error(GL_INVALID_ENUM, "glReadBuffer: mode"),
-        }
-    }
-
     /// glFlush. Not compiled into lists, executed at once (5.4).
     pub fn flush(&mut self) {
         if !self.inside_begin_end() {
@@ -116,6 +87,7 @@ impl Context {
             return;
         }
         self.flush_batch();
+        self.fbo.view.settle();
         if let Some(window) = &mut self.window {
             window.settle();
         }

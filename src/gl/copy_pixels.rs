@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::enums::*;
-use super::framebuffer::{Rect, bounds, read_depth, read_stencil};
+use super::framebuffer::Rect;
 use super::pixel_format::Groups;
 
 impl Context {
@@ -20,6 +20,9 @@ impl Context {
         if width < 0 || height < 0 {
             return self.set_error(GL_INVALID_VALUE, "glCopyPixels");
         }
+        if !self.can_draw("glCopyPixels") {
+            return;
+        }
         if let Err(error) = self.check_readable(format).and_then(|()| self.check_drawable(format)) {
             return self.set_error(error, "glCopyPixels");
         }
@@ -36,14 +39,11 @@ impl Context {
             let groups = self.state.pixel.transferred_colors(groups);
             return self.draw_groups([rect.width(), rect.height()], groups);
         }
-        self.flush_batch();
-        let Some(window) = self.window.as_mut() else { return };
-        let (inside, depths, indices) = {
-            let pixels = &window.pixels();
-            let inside = rect.and(bounds(pixels));
-            let depths = if kind == GL_DEPTH { read_depth(pixels, inside) } else { Vec::new() };
-            (inside, depths, if kind == GL_STENCIL { read_stencil(pixels, inside) } else { Vec::new() })
+        let read = match kind {
+            GL_DEPTH => self.read_depths(rect).map(|(inside, depths)| (inside, depths, Vec::new())),
+            _ => self.read_stencils(rect).map(|(inside, indices)| (inside, Vec::new(), indices)),
         };
+        let Some((inside, depths, indices)) = read else { return };
         if inside.is_empty() {
             return;
         }

@@ -3,10 +3,32 @@
 use super::Context;
 use super::enums::*;
 use super::framebuffer::Rect;
+use super::pixel_format::Groups;
+use super::read_pixels::pad;
 use super::texture_format::InternalFormat;
 use super::texture_image::{ImageSpec, ImageTarget};
 
+/// The format of pixels that a texture of a base format is copied from.
+fn readable(base: GLenum) -> GLenum {
+    if matches!(base, GL_DEPTH_COMPONENT | GL_DEPTH_STENCIL) { base } else { GL_RGBA }
+}
+
 impl Context {
+    /// What a texture of a base format takes from a rectangle of the framebuffer, after transfer; zero outside.
+    fn read_for_texture(&mut self, base: GLenum, rect: Rect) -> Groups {
+        match base {
+            GL_DEPTH_COMPONENT => {
+                let read = self.read_depths(rect).unwrap_or((rect.and(Rect::new(0, 0, 0, 0)), Vec::new()));
+                self.state.pixel.transferred_depths(Groups::Depth(pad(read.1, read.0, rect, 0.0)))
+            }
+            GL_DEPTH_STENCIL => {
+                let read = self.read_depths_and_stencils(rect).unwrap_or((rect.and(Rect::new(0, 0, 0, 0)), Vec::new()));
+                self.state.pixel.transferred_depths(Groups::DepthStencil(pad(read.1, read.0, rect, 0)))
+            }
+            _ => self.read_transferred_colors(rect),
+        }
+    }
+
     /// glCopyTexImage1D
     #[allow(clippy::too_many_arguments)]
     pub fn copy_tex_image_1d(&mut self, target: GLenum, level: i32, internal_format: GLenum, x: i32, y: i32, width: i32, border: i32) {
@@ -56,12 +78,12 @@ impl Context {
             InternalFormat::from_enum(internal_format).ok_or(GL_INVALID_ENUM)?;
             let spec = ImageSpec::checked(target, level, internal_format, size, border)?;
             spec.supported()?;
-            self.check_readable(GL_RGBA)?;
+            self.check_readable(readable(spec.format.base))?;
             Ok(spec)
         });
         match spec {
             Ok(spec) => {
-                let groups = self.read_transferred_colors(Rect::new(at[0], at[1], size[0], size[1]));
+                let groups = self.read_for_texture(spec.format.base, Rect::new(at[0], at[1], size[0], size[1]));
                 let texels = spec.store(groups);
                 self.set_texture_level(&spec, texels);
             }
@@ -121,9 +143,12 @@ impl Context {
     }
 
     fn copy_tex_sub_image(&mut self, dimensions: usize, target: GLenum, level: i32, offset: [i32; 3], at: [i32; 2], size: [i32; 3]) {
-        let checked = self.check_sub_image(dimensions, target, level, offset, size).and_then(|_| self.check_readable(GL_RGBA));
-        let done = checked.and_then(|()| {
-            let groups = self.read_transferred_colors(Rect::new(at[0], at[1], size[0], size[1]));
+        let checked = self.check_sub_image(dimensions, target, level, offset, size).and_then(|image| {
+            let base = self.base_format_of(image, level);
+            self.check_readable(readable(base)).map(|()| base)
+        });
+        let done = checked.and_then(|base| {
+            let groups = self.read_for_texture(base, Rect::new(at[0], at[1], size[0], size[1]));
             self.write_sub_image(dimensions, target, level, offset, size, Some(groups))
         });
         if let Err(error) = done {

@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::enums::*;
-use super::state::{PolygonState, StencilSide};
+use super::state::{MultisampleState, PolygonState, StencilSide};
 use crate::device::DepthFormat;
 use crate::raster::layout::*;
 
@@ -88,18 +88,32 @@ fn cull_flags(polygon: &PolygonState) -> u32 {
     }
 }
 
+/// The samples of `count` that the sample coverage leaves out (4.1.3): the first ones are kept, as many as the value says, rounded
+/// down as in Mesa.
+fn dropped_samples(state: &MultisampleState, count: u32) -> u32 {
+    let all = (1 << count) - 1;
+    let kept = (1 << (state.coverage_value * count as f32) as u32) - 1;
+    if state.coverage_invert { kept } else { all & !kept }
+}
+
 impl Context {
     /// Columns and rows that may be written, in raster space: the surface, and the scissor where it is on.
     pub(crate) fn drawable_rectangle(&self) -> ([i32; 2], [i32; 2]) {
-        let [width, height] = self.window_size.map(|size| size as i32);
+        let [width, height] = self.draw_size().map(|size| size as i32);
         let scissor = &self.state.scissor;
         if !scissor.test {
             return ([0, 0], [width, height]);
         }
         let (x0, x1) = (scissor.x, scissor.x.saturating_add(scissor.width));
         let (y0, y1) = (scissor.y, scissor.y.saturating_add(scissor.height));
+        let (x0, x1, y0, y1) = (x0.clamp(0, width), x1.clamp(0, width), y0.clamp(0, height), y1.clamp(0, height));
         // Rows of a window surface run downwards.
-        ([x0.clamp(0, width), height - y1.clamp(0, height)], [x1.clamp(0, width), height - y0.clamp(0, height)])
+        if self.draw_format().top_first { ([x0, height - y1], [x1, height - y0]) } else { ([x0, y0], [x1, y1]) }
+    }
+
+    /// Samples are looked at one by one (3.2.1).
+    fn multisamples(&self) -> bool {
+        self.state.multisample.enabled && self.draw_format().samples > 1
     }
 
     /// State of the stages from clipping to set-up. The recorder fills in the polygon stipple.
@@ -114,11 +128,14 @@ impl Context {
         set(&mut flags, state.point.smooth, raster_flags::POINT_SMOOTH);
         set(&mut flags, state.line.smooth, raster_flags::LINE_SMOOTH);
         set(&mut flags, state.line.stipple, raster_flags::LINE_STIPPLE);
+        set(&mut flags, self.multisamples(), raster_flags::MULTISAMPLE);
         let (near, far) = (viewport.near, viewport.far);
         let (half_width, half_height) = (0.5 * viewport.width as f32, 0.5 * viewport.height as f32);
+        let middle = half_height + viewport.y as f32;
         let (scissor_min, scissor_max) = self.drawable_rectangle();
         // A unit of offset is twice the step of the depth format, as llvmpipe has it.
-        let unit = match self.config.surface_format().depth {
+        let format = self.draw_format();
+        let unit = match format.depth {
             DepthFormat::D16 => 2.0 / 65535.0,
             _ => 2.0 / 16777215.0,
         };
@@ -126,10 +143,10 @@ impl Context {
             flags,
             polygon_mode: polygon.mode.map(polygon_mode_of),
             line_stipple: u32::from(state.line.stipple_pattern) | (state.line.stipple_factor.clamp(1, 256) as u32) << 16,
-            viewport_scale: [half_width, -half_height, (0.5 * (far - near)) as f32],
+            viewport_scale: [half_width, if format.top_first { -half_height } else { half_height }, (0.5 * (far - near)) as f32],
             viewport_translate: [
                 half_width + viewport.x as f32,
-                self.window_size[1] as f32 - (half_height + viewport.y as f32),
+                if format.top_first { self.draw_size()[1] as f32 - middle } else { middle },
                 (0.5 * (near + far)) as f32,
             ],
             scissor_min,
@@ -147,7 +164,7 @@ impl Context {
     /// State of the per-fragment operations (4.1). What would change nothing is off.
     pub(crate) fn fragment_state(&self) -> FragmentState {
         let state = &self.state;
-        let (color, format) = (&state.color_buffer, self.config.surface_format());
+        let (color, format) = (&state.color_buffer, self.draw_format());
         let depth_test = state.depth.test && format.depth != DepthFormat::None;
         let blends = color.blend && !color.color_logic_op;
         let mut flags = 0;
@@ -157,7 +174,10 @@ impl Context {
         set(&mut flags, color.alpha_test && color.alpha_func != GL_ALWAYS, fragment_flags::ALPHA_TEST);
         set(&mut flags, blends, fragment_flags::BLEND);
         set(&mut flags, color.color_logic_op, fragment_flags::LOGIC_OP);
-        let mask = (0..4).filter(|&c| color.color_mask[c]).fold(0, |bits, c| bits | 1 << c);
+        let (multisamples, samples) = (self.multisamples(), &state.multisample);
+        set(&mut flags, multisamples && samples.alpha_to_coverage, fragment_flags::ALPHA_TO_COVERAGE);
+        set(&mut flags, multisamples && samples.alpha_to_one, fragment_flags::ALPHA_TO_ONE);
+        let covers = multisamples && samples.sample_coverage;
         FragmentState {
             flags,
             depth_func: compare_func(state.depth.func),
@@ -167,9 +187,31 @@ impl Context {
             blend_factors: color.blend_func.map(blend_factor_of),
             blend_equations: color.blend_equation.map(blend_equation_of),
             logic_op: color.logic_op.wrapping_sub(GL_CLEAR) & 15,
-            color_mask: if color.draw_buffer == GL_NONE { 0 } else { mask },
+            color_mask: self.color_write_mask(),
             blend_color: color.blend_color,
-            dropped_samples: 0,
+            dropped_samples: if covers { dropped_samples(samples, format.samples) } else { 0 },
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sample_coverage_keeps_as_many_samples_as_it_says() {
+        let state = |coverage_value, coverage_invert| MultisampleState {
+            enabled: true,
+            alpha_to_coverage: false,
+            alpha_to_one: false,
+            sample_coverage: true,
+            coverage_value,
+            coverage_invert,
+        };
+        assert_eq!(dropped_samples(&state(1.0, false), 4), 0);
+        assert_eq!(dropped_samples(&state(0.5, false), 4), 0b1100);
+        assert_eq!(dropped_samples(&state(0.5, true), 4), 0b0011);
+        assert_eq!(dropped_samples(&state(0.0, false), 2), 0b11);
+        assert_eq!(dropped_samples(&state(1.0, true), 16), 0xffff);
     }
 }

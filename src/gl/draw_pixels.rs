@@ -5,9 +5,10 @@ use std::sync::Arc;
 use super::Context;
 use super::enums::*;
 use super::framebuffer::{depth_max, pixel_index, quantize_depth, write_color, write_depth_stencil};
+use super::framebuffer_object::Aspect;
 use super::pixel_format::{ClientImage, Groups, check};
 use super::pixel_rectangle::Placed;
-use crate::device::{ColorFormat, DepthFormat};
+use crate::device::{ColorFormat, DepthFormat, Pixels};
 
 impl Context {
     /// glDrawPixels. `pixels`: from the client's pointer on, as [`Context::unpack_bytes`] says.
@@ -27,6 +28,9 @@ impl Context {
     }
 
     fn draw_pixels_unpacked(&mut self, width: i32, height: i32, format: GLenum, ty: GLenum, image: Option<Arc<ClientImage>>) {
+        if !self.can_draw("glDrawPixels") {
+            return;
+        }
         let checked = if width < 0 || height < 0 { Err(GL_INVALID_VALUE) } else { check(format, ty) };
         if let Err(error) = checked.and_then(|()| self.check_drawable(format)) {
             return self.set_error(error, "glDrawPixels");
@@ -46,6 +50,9 @@ impl Context {
             }
             return;
         }
+        if let Groups::DepthStencil(words) = image.groups {
+            return self.draw_depth_stencil([width, height], words);
+        }
         let groups = self.state.pixel.transferred_colors(image.groups);
         self.draw_groups([width, height], groups);
     }
@@ -53,8 +60,9 @@ impl Context {
     /// The error of drawing this kind of pixels: there has to be a buffer for depths and stencil indices.
     pub(crate) fn check_drawable(&self, format: GLenum) -> Result<(), GLenum> {
         let missing = match format {
-            GL_STENCIL_INDEX => self.config.stencil_bits == 0,
-            GL_DEPTH_COMPONENT => self.config.surface_format().depth == DepthFormat::None,
+            GL_STENCIL_INDEX => !self.draw_format().stencil,
+            GL_DEPTH_COMPONENT => self.draw_format().depth == DepthFormat::None,
+            GL_DEPTH_STENCIL => self.draw_format().depth == DepthFormat::None || !self.draw_format().stencil,
             _ => false,
         };
         if missing { Err(GL_INVALID_OPERATION) } else { Ok(()) }
@@ -78,7 +86,7 @@ impl Context {
                 let p = placed.resample(&p, size[0]);
                 self.draw_colors(&placed, Groups::Rgba(p));
             }
-            Groups::Index(_) => {}
+            Groups::Index(_) | Groups::DepthStencil(_) => {}
         }
     }
 
@@ -88,37 +96,13 @@ impl Context {
             return self.record_image(placed, groups);
         }
         // Nothing happens on the way: the colours go straight into the window.
-        let mask = self.color_write_mask();
-        self.flush_batch();
-        self.window_changed = true;
-        let Some(window) = self.window.as_mut().filter(|_| mask != 0) else { return };
-        let pixels = &mut window.pixels();
-        let width = placed.rect.width();
-        for (row, y) in (placed.rect.min[1]..placed.rect.max[1]).enumerate() {
-            let first = pixel_index(pixels, placed.rect.min[0], y);
-            match &groups {
-                Groups::Rgba8(p) if mask == 15 && pixels.format.color == ColorFormat::Rgba8 && pixels.format.samples == 1 => {
-                    pixels.color[first..first + width].copy_from_slice(&p[row * width..(row + 1) * width]);
-                }
-                Groups::Rgba8(p) => {
-                    for (x, c) in p[row * width..(row + 1) * width].iter().enumerate() {
-                        write_color(pixels, first + x, c.to_le_bytes().map(|c| c as f32 / 255.0), mask);
-                    }
-                }
-                Groups::Rgba(p) => {
-                    for (x, c) in p[row * width..(row + 1) * width].iter().enumerate() {
-                        write_color(pixels, first + x, *c, mask);
-                    }
-                }
-                _ => {}
-            }
-        }
+        self.change_pixels(Aspect::Color, |pixels, mask| write_colors(pixels, placed, &groups, mask));
     }
 
     /// Depths of the placed pixels: fragments of the raster colour.
     fn draw_depths(&mut self, placed: &Placed, depths: Vec<f64>) {
         let s = &self.state;
-        let only_depth = self.color_write_mask() == 0 && !(s.color_buffer.alpha_test || s.stencil.test && self.config.stencil_bits > 0);
+        let only_depth = self.color_write_mask() == 0 && !(s.color_buffer.alpha_test || s.stencil.test && self.draw_format().stencil);
         // Without the depth test depths are not written (4.1.5).
         if only_depth && !s.depth.test {
             return;
@@ -129,18 +113,35 @@ impl Context {
         if !s.depth.write {
             return;
         }
-        self.flush_batch();
-        self.window_changed = true;
-        let Some(window) = self.window.as_mut() else { return };
-        let pixels = &mut window.pixels();
-        let max = depth_max(pixels.format.depth);
-        for (y, row) in (placed.rect.min[1]..).zip(depths.chunks_exact(placed.rect.width())) {
-            let first = pixel_index(pixels, placed.rect.min[0], y);
-            for (x, depth) in row.iter().enumerate() {
-                let depth = quantize_depth(*depth, max);
-                write_depth_stencil(pixels, first + x, |old| old & 0xff00_0000 | depth);
+        self.change_pixels(Aspect::Depth, |pixels, _| {
+            let max = depth_max(pixels.format.depth);
+            for (y, row) in (placed.rect.min[1]..).zip(depths.chunks_exact(placed.rect.width())) {
+                let first = pixel_index(pixels, placed.rect.min[0], y);
+                for (x, depth) in row.iter().enumerate() {
+                    let depth = quantize_depth(*depth, max);
+                    write_depth_stencil(pixels, first + x, |old| old & 0xff00_0000 | depth);
+                }
             }
-        }
+        });
+    }
+
+    /// Depths and stencil indices (before transfer) at the raster position: straight into the buffer, under their write masks
+    /// (EXT_packed_depth_stencil).
+    pub(crate) fn draw_depth_stencil(&mut self, size: [usize; 2], words: Vec<u32>) {
+        let Some(placed) = self.place_rectangle(size) else { return };
+        let s = &self.state;
+        let mask = (s.stencil.sides[0].write_mask & 0xff) << 24 | if s.depth.write { 0xff_ffff } else { 0 };
+        let words: Vec<u32> = placed.resample(&words, size[0]).into_iter().map(|w| s.pixel.transfer_depth_stencil(w)).collect();
+        self.change_pixels(Aspect::Depth, |pixels, _| {
+            let max = depth_max(pixels.format.depth);
+            for (y, row) in (placed.rect.min[1]..).zip(words.chunks_exact(placed.rect.width())) {
+                let first = pixel_index(pixels, placed.rect.min[0], y);
+                for (x, word) in row.iter().enumerate() {
+                    let depth = quantize_depth(f64::from(word & 0xff_ffff) / 16777215.0, max);
+                    write_depth_stencil(pixels, first + x, |old| old & !mask | (depth | word & 0xff00_0000) & mask);
+                }
+            }
+        });
     }
 
     /// Stencil indices (before transfer) at the raster position: straight into the buffer, under its write mask.
@@ -148,17 +149,38 @@ impl Context {
         let Some(placed) = self.place_rectangle(size) else { return };
         let indices = placed.resample(&indices, size[0]);
         let mask = (self.state.stencil.sides[0].write_mask & 0xff) << 24;
-        self.flush_batch();
-        self.window_changed = true;
-        let transfer = &self.state.pixel;
-        let Some(window) = self.window.as_mut() else { return };
-        let pixels = &mut window.pixels();
-        for (y, row) in (placed.rect.min[1]..).zip(indices.chunks_exact(placed.rect.width())) {
-            let first = pixel_index(pixels, placed.rect.min[0], y);
-            for (x, &index) in row.iter().enumerate() {
-                let stencil = transfer.transfer_stencil(index) << 24 & mask;
-                write_depth_stencil(pixels, first + x, |old| old & !mask | stencil);
+        let values: Vec<u32> = indices.into_iter().map(|index| self.state.pixel.transfer_stencil(index) << 24 & mask).collect();
+        self.change_pixels(Aspect::Stencil, |pixels, _| {
+            for (y, row) in (placed.rect.min[1]..).zip(values.chunks_exact(placed.rect.width())) {
+                let first = pixel_index(pixels, placed.rect.min[0], y);
+                for (x, stencil) in row.iter().enumerate() {
+                    write_depth_stencil(pixels, first + x, |old| old & !mask | stencil);
+                }
             }
+        });
+    }
+}
+
+/// Writes colours, components of `mask` only.
+fn write_colors(pixels: &mut Pixels, placed: &Placed, groups: &Groups, mask: u32) {
+    let width = placed.rect.width();
+    for (row, y) in (placed.rect.min[1]..placed.rect.max[1]).enumerate() {
+        let first = pixel_index(pixels, placed.rect.min[0], y);
+        match groups {
+            Groups::Rgba8(p) if mask == 15 && pixels.format.color == ColorFormat::Rgba8 && pixels.format.samples == 1 => {
+                pixels.color[first..first + width].copy_from_slice(&p[row * width..(row + 1) * width]);
+            }
+            Groups::Rgba8(p) => {
+                for (x, c) in p[row * width..(row + 1) * width].iter().enumerate() {
+                    write_color(pixels, first + x, c.to_le_bytes().map(|c| c as f32 / 255.0), mask);
+                }
+            }
+            Groups::Rgba(p) => {
+                for (x, c) in p[row * width..(row + 1) * width].iter().enumerate() {
+                    write_color(pixels, first + x, *c, mask);
+                }
+            }
+            _ => {}
         }
     }
 }

@@ -37,6 +37,9 @@ impl Context {
 
     /// Draws a run of vertices, or hands it to selection or feedback. `indexed`: from DrawElements or a display list.
     pub(crate) fn submit_run(&mut self, mode: PrimitiveType, part: Part, run: &Run, indexed: bool) {
+        if !self.can_draw("drawing") {
+            return;
+        }
         let split = self.quad_split(indexed);
         if self.render_mode != GL_RENDER {
             let mut primitives = Vec::new();

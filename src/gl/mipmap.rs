@@ -2,8 +2,11 @@
 
 use std::sync::Arc;
 
+use super::enums::*;
 use super::pixel_format::Groups;
-use super::texture_object::{LevelImage, TextureObject};
+use super::texture_object::{LevelImage, TextureObject, kind_of};
+use super::texture_planes::LayerPlanes;
+use super::{Context, dirty};
 use crate::draw::texture::TexelFormat;
 
 impl TextureObject {
@@ -29,6 +32,26 @@ impl TextureObject {
     }
 }
 
+impl Context {
+    /// glGenerateMipmap (ARB_framebuffer_object, 3.8.8): makes the levels below the base level of the texture that is bound to a target.
+    pub fn generate_mipmap(&mut self, target: GLenum) {
+        if self.inside_begin_end() {
+            return;
+        }
+        let Some(kind) = kind_of(target) else { return self.set_error(GL_INVALID_ENUM, "glGenerateMipmap: target") };
+        self.settle_texture(kind);
+        if !self.with_texture(kind, |object| object.is_cube_complete()) {
+            return self.set_error(GL_INVALID_OPERATION, "glGenerateMipmap of a cube map whose faces differ");
+        }
+        if self.fbo.draw != 0 {
+            // A smaller level may be attached.
+            self.framebuffer_changes();
+        }
+        self.with_texture(kind, |object| (0..object.faces.len()).for_each(|face| object.generate_mipmaps(face)));
+        self.dirty |= dirty::TEXTURE;
+    }
+}
+
 /// Where a texel of the smaller level lies on one axis of the larger one: two texels and the weight of the second.
 fn taps(size: u32, half: u32) -> Vec<([usize; 2], f32)> {
     let last = size as usize - 1;
@@ -38,6 +61,22 @@ fn taps(size: u32, half: u32) -> Vec<([usize; 2], f32)> {
             ([at as usize, (at as usize + 1).min(last)], at.fract())
         })
         .collect()
+}
+
+/// The same of depths; stencil values are those of the first texel.
+fn half_depth(image: &LevelImage, size: [u32; 3], [xs, ys]: [&[([usize; 2], f32)]; 2]) -> LevelImage {
+    let width = image.size[0] as usize;
+    let depth = |x: usize, y: usize| f64::from(image.texels[y * width + x] & 0xff_ffff);
+    let mix = |a: f64, b: f64, t: f32| a + (b - a) * f64::from(t);
+    let mut texels = Vec::with_capacity(xs.len() * ys.len());
+    for &([y0, y1], ty) in ys {
+        for &([x0, x1], tx) in xs {
+            let mean = mix(mix(depth(x0, y0), depth(x1, y0), tx), mix(depth(x0, y1), depth(x1, y1), tx), ty);
+            texels.push(mean.round() as u32 | image.texels[y0 * width + x0] & 0xff00_0000);
+        }
+    }
+    let (internal_format, format) = (image.internal_format, image.format);
+    LevelImage { size, internal_format, format, texels: Arc::new(texels), planes: LayerPlanes::default() }
 }
 
 /// The next smaller level: linear filtering at the centres of its texels, which is the mean of 2 x 2 x 2 where sizes are
@@ -54,6 +93,9 @@ fn half(image: &LevelImage) -> LevelImage {
             TexelFormat::Rgba32f => [0, 1, 2, 3].map(|k| f32::from_bits(image.texels[i + k])),
         }
     };
+    if image.format.is_depth() {
+        return half_depth(image, size, [&xs, &ys]);
+    }
     let mix = |a: [f32; 4], b: [f32; 4], t: f32| -> [f32; 4] { std::array::from_fn(|k| a[k] + (b[k] - a[k]) * t) };
     let mut pixels = Vec::with_capacity(xs.len() * ys.len() * zs.len());
     for &([z0, z1], tz) in &zs {
@@ -72,5 +114,11 @@ fn half(image: &LevelImage) -> LevelImage {
         }
         TexelFormat::Rgba32f => pixels.iter().flat_map(|c| c.map(f32::to_bits)).collect(),
     };
-    LevelImage { size, internal_format: image.internal_format, format: image.format, texels: Arc::new(texels) }
+    LevelImage {
+        size,
+        internal_format: image.internal_format,
+        format: image.format,
+        texels: Arc::new(texels),
+        planes: LayerPlanes::default(),
+    }
 }

@@ -17,6 +17,8 @@ pub mod attrib_stack;
 pub mod begin_end;
 pub mod bitmap;
 pub mod blending;
+pub mod blit;
+pub(crate) mod blit_pixels;
 pub(crate) mod checks;
 pub mod clear;
 pub mod clip_plane;
@@ -36,6 +38,7 @@ pub mod feedback;
 pub mod fog;
 pub mod fragment_operations;
 pub(crate) mod framebuffer;
+pub(crate) mod framebuffer_object;
 pub(crate) mod host_vertices;
 pub mod lighting;
 pub mod list;
@@ -56,6 +59,7 @@ pub mod query;
 pub mod query_table;
 pub mod raster_position;
 pub mod read_pixels;
+pub mod renderbuffer;
 pub mod selection;
 pub mod state;
 pub mod strings;
@@ -67,6 +71,7 @@ pub mod texture_format;
 pub mod texture_image;
 pub mod texture_object;
 pub mod texture_parameter;
+pub(crate) mod texture_planes;
 pub(crate) mod vertex_materials;
 
 use std::sync::{Arc, Mutex, MutexGuard};
@@ -87,13 +92,14 @@ pub struct Context {
     pub projection: MatrixStack,
     /// Texture matrices by unit.
     pub texture_matrices: Vec<MatrixStack>,
-    /// Objects that contexts share: display lists, textures.
+    /// Objects that contexts share: display lists, textures, renderbuffers.
     pub shared: Arc<Mutex<Shared>>,
     /// Where it draws.
     pub device: Arc<dyn Device>,
     /// The window buffer, once the context was made current with one.
     pub window: Option<Box<dyn Surface>>,
-    /// Width and height of the window buffer, zero without one.
+    /// Width and height of the window buffer, zero without one. What is drawn to may be a framebuffer object of another size: see
+    /// `draw_size`.
     pub window_size: [u32; 2],
     /// What the context was made for.
     pub config: ContextConfig,
@@ -118,6 +124,8 @@ pub struct Context {
     /// What shades vertices on the host, once it was needed.
     host_shader: Option<Box<host_vertices::HostShader>>,
     attrib_stack: Vec<attrib_stack::SavedAttributes>,
+    /// Framebuffer objects and what is bound.
+    pub(crate) fbo: framebuffer_object::FramebufferState,
     /// GL_RENDERER, once asked for.
     renderer: Option<std::ffi::CString>,
     pub(crate) pixel_objects: pixel_objects::PixelObjects,
@@ -187,6 +195,8 @@ pub struct Shared {
     pub lists: list_names::Lists,
     /// Textures.
     pub textures: texture_object::TextureTable,
+    /// Renderbuffers.
+    pub renderbuffers: renderbuffer::RenderbufferTable,
 }
 
 impl Context {
@@ -222,6 +232,7 @@ impl Context {
             feedback: feedback::Feedback::default(),
             host_shader: None,
             attrib_stack: Vec::new(),
+            fbo: Default::default(),
             renderer: None,
             pixel_objects: Default::default(),
             window_changed: false,
@@ -281,6 +292,9 @@ impl Context {
     /// Runs what was recorded so far, so that the window's pixels are up to date.
     pub fn flush_batch(&mut self) {
         let Some(batch) = self.recorder.take() else { return };
+        if self.fbo.draw != 0 {
+            return self.fbo.view.execute(&*self.device, batch);
+        }
         if let Some(window) = &mut self.window {
             window.execute(batch);
             self.window_changed = true;

@@ -57,6 +57,12 @@ fn packed(ty: GLenum) -> Option<Packed> {
 /// The error that a pair of format and type deserves, if any: an unknown enum, GL_BITMAP with anything but indices,
 /// a packed type whose components do not match the format's.
 pub(crate) fn check(format: GLenum, ty: GLenum) -> Result<(), GLenum> {
+    match (format, ty) {
+        (GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8) => return Ok(()),
+        (GL_DEPTH_STENCIL, _) => return Err(GL_INVALID_ENUM),
+        (_, GL_UNSIGNED_INT_24_8) => return Err(if components(format).is_some() { GL_INVALID_OPERATION } else { GL_INVALID_ENUM }),
+        _ => {}
+    }
     let n = components(format).ok_or(GL_INVALID_ENUM)?;
     if let Some(packed) = packed(ty) {
         let matches = if packed.count == 3 { format == GL_RGB } else { n == 4 };
@@ -72,6 +78,9 @@ pub(crate) fn check(format: GLenum, ty: GLenum) -> Result<(), GLenum> {
 /// Bytes of a group; None where [`check`] fails. GL_BITMAP answers 1, though a byte holds eight groups.
 pub(crate) fn group_bytes(format: GLenum, ty: GLenum) -> Option<usize> {
     check(format, ty).ok()?;
+    if format == GL_DEPTH_STENCIL {
+        return Some(4);
+    }
     match packed(ty) {
         Some(packed) => Some(packed.bytes),
         None => Some(components(format)? * component_bytes(ty)?),
@@ -89,6 +98,8 @@ pub(crate) enum Groups {
     Index(Vec<u32>),
     /// Depth, not clamped.
     Depth(Vec<f64>),
+    /// Depth in the low 24 bits, stencil in the high 8.
+    DepthStencil(Vec<u32>),
 }
 
 /// An empty vector with room for `count` values; None where there is not that much memory, which would else end the process.
@@ -125,6 +136,12 @@ impl ClientImage {
                 let mut out = room(count)?;
                 source.rows(|row| read_indices(row, ty, &mut out));
                 Groups::Index(out)
+            }
+            GL_DEPTH_STENCIL => {
+                let mut out = room(count)?;
+                // The client has them the other way round.
+                source.rows(|row| out.extend(row.chunks_exact(4).map(|b| u32::from_ne_bytes([b[0], b[1], b[2], b[3]]).rotate_right(8))));
+                Groups::DepthStencil(out)
             }
             GL_DEPTH_COMPONENT => {
                 let mut out = room(count)?;
@@ -163,7 +180,7 @@ fn reserve<T>(count: usize) -> Option<Vec<T>> {
 
 /// Bytes that GL_*_SWAP_BYTES reverses.
 fn element_bytes(ty: GLenum) -> Option<usize> {
-    packed(ty).map(|p| p.bytes).or_else(|| component_bytes(ty))
+    packed(ty).map(|p| p.bytes).or_else(|| if ty == GL_UNSIGNED_INT_24_8 { Some(4) } else { component_bytes(ty) })
 }
 
 /// Rows of client memory.
@@ -427,6 +444,9 @@ pub(crate) fn pack(store: &PixelStore, bytes: &mut [u8], size: [usize; 3], volum
                 GL_FLOAT => row.chunks_exact_mut(4).zip(values).for_each(|(b, &v)| b.copy_from_slice(&(v as f32).to_ne_bytes())),
                 _ => row.chunks_exact_mut(4).zip(values).for_each(|(b, &v)| b.copy_from_slice(&v.to_ne_bytes())),
             }
+        }),
+        Groups::DepthStencil(words) => write_rows(store, bytes, layout, size, ty, |y, row| {
+            row.chunks_exact_mut(4).zip(&words[y * width..][..width]).for_each(|(b, w)| b.copy_from_slice(&w.rotate_left(8).to_ne_bytes()));
         }),
         Groups::Depth(values) => write_rows(store, bytes, layout, size, ty, |y, row| {
             let element = component_bytes(ty).unwrap_or(1);

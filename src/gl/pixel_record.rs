@@ -85,16 +85,17 @@ impl Context {
             return Some(groups);
         }
         let position = self.state.current.raster.position;
-        let window = self.window_size.map(|n| n as f32);
+        let window = self.draw_size().map(|n| n as f32);
+        let up = if self.draw_format().top_first { -0.5 } else { 0.5 };
         let low = [position[0].round(), position[1].round()];
         let high = [0, 1].map(|k| low[k] + size[k] as f32 * zoom[k]);
         let fits = low.iter().chain(&high).all(|c| c.abs() < LARGEST_QUAD) && size.iter().all(|&n| (1..=LARGEST_IMAGE).contains(&n));
         if !fits {
             return Some(groups);
         }
-        // Through clip coordinates and the viewport, with Mesa's roundings; rows of a window surface run downwards.
+        // Through clip coordinates and the viewport, with Mesa's roundings; rows of a window surface run downwards, of others upwards.
         let x = |x: f32| (x / window[0] * 2.0 - 1.0).mul_add(window[0] * 0.5, window[0] * 0.5);
-        let y = |y: f32| (y / window[1] * 2.0 - 1.0).mul_add(window[1] * -0.5, window[1] * 0.5);
+        let y = |y: f32| (y / window[1] * 2.0 - 1.0).mul_add(window[1] * up, window[1] * 0.5);
         let corners = [(low[0], low[1], 0.0, 0.0), (high[0], low[1], 1.0, 0.0), (high[0], high[1], 1.0, 1.0), (low[0], high[1], 0.0, 1.0)];
         if let Some(image) = image_binding(size, groups) {
             self.record_quad(image, corners.map(|(u, v, s, t)| ([x(u), y(v), position[2], 1.0], s, t)));
@@ -114,7 +115,7 @@ impl Context {
     pub(crate) fn record_depths(&mut self, placed: &Placed, depths: &[f64]) {
         let color = self.state.current.raster.color;
         // In the buffer's steps, so that the fragment's depth comes to the same one.
-        let max = depth_max(self.config.surface_format().depth);
+        let max = depth_max(self.draw_format().depth);
         self.record_rows(placed, depths, |depth| (color, (f64::from(quantize_depth(depth, max)) / max) as f32));
     }
 
@@ -132,10 +133,11 @@ impl Context {
 
     /// Corners of a rectangle in raster space, with s and t of a texture that covers it.
     fn corners(&self, rect: Rect, depth: f32) -> [([f32; 4], f32, f32); 4] {
+        let height = self.draw_size()[1] as f32;
         // Rows of a window surface run downwards.
-        let height = self.window_size[1] as f32;
+        let row = |y: i32| if self.draw_format().top_first { height - y as f32 } else { y as f32 };
         let (left, right) = (rect.min[0] as f32, rect.max[0] as f32);
-        let (bottom, top) = (height - rect.min[1] as f32, height - rect.max[1] as f32);
+        let (bottom, top) = (row(rect.min[1]), row(rect.max[1]));
         [(left, bottom, 0.0, 0.0), (right, bottom, 1.0, 0.0), (right, top, 1.0, 1.0), (left, top, 0.0, 1.0)]
             .map(|(x, y, s, t)| ([x, y, depth, 1.0], s, t))
     }
@@ -157,7 +159,7 @@ impl Context {
     /// Draws rectangles; `data` holds the position and the attribute of `slot` (a mask) of their corners. All else comes from the
     /// raster position.
     fn draw_rectangles(&mut self, image: Option<TextureBinding>, slot: u32, data: &[[f32; 4]]) {
-        if self.window.is_none() {
+        if !self.has_draw_surface() {
             return;
         }
         let raster = &self.state.current.raster;

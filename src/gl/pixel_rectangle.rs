@@ -1,8 +1,8 @@
 //! Where the groups of a pixel rectangle land: raster position and zoom (3.6.5, figure 3.8).
 
 use super::Context;
-use super::enums::*;
 use super::framebuffer::Rect;
+use crate::device::DepthFormat;
 
 /// A pixel rectangle placed on the window, cut to its visible part.
 pub(crate) struct Placed {
@@ -79,18 +79,10 @@ impl Context {
         let s = &self.state;
         let color = &s.color_buffer;
         let textured = s.texture.units.iter().any(|unit| unit.enabled.contains(&true));
-        let depth = s.depth.test && self.config.depth_bits > 0;
-        let stencil = s.stencil.test && self.config.stencil_bits > 0;
+        let format = self.draw_format();
+        let depth = s.depth.test && format.depth != DepthFormat::None;
+        let stencil = s.stencil.test && format.stencil;
         !(textured || depth || stencil || s.fog.enabled || s.lighting.color_sum || color.alpha_test || color.blend || color.color_logic_op)
-    }
-
-    /// Bits 0 to 3: red, green, blue, alpha reach the window's colours.
-    pub(crate) fn color_write_mask(&self) -> u32 {
-        let color = &self.state.color_buffer;
-        if color.draw_buffer == GL_NONE {
-            return 0;
-        }
-        color.color_mask.iter().enumerate().fold(0, |mask, (k, &on)| mask | (on as u32) << k)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::Context;
 use super::enums::*;
+use super::framebuffer::quantize_depth;
 use super::pixel_format::{ClientImage, Groups};
 use super::state::PixelState;
 
@@ -64,6 +65,22 @@ impl PixelState {
         f64::from(depth as f32 * self.depth_scale + self.depth_bias).clamp(0.0, 1.0)
     }
 
+    /// Transfers depth and stencil in one word.
+    pub(crate) fn transfer_depth_stencil(&self, word: u32) -> u32 {
+        const MAX: f64 = 16777215.0;
+        let depth = quantize_depth(self.transfer_depth(f64::from(word & 0xff_ffff) / MAX), MAX);
+        depth | self.transfer_stencil(word >> 24) << 24
+    }
+
+    /// Depths, or depths with stencils, as a texture takes them.
+    pub(crate) fn transferred_depths(&self, groups: Groups) -> Groups {
+        match groups {
+            Groups::Depth(depths) => Groups::Depth(depths.into_iter().map(|d| self.transfer_depth(d)).collect()),
+            Groups::DepthStencil(words) => Groups::DepthStencil(words.into_iter().map(|w| self.transfer_depth_stencil(w)).collect()),
+            other => other,
+        }
+    }
+
     /// Colours of colour indices: always through the I_TO_R ... I_TO_A maps, as RGBA is wanted.
     fn colors_of_indices(&self, indices: &[u32]) -> Vec<[f32; 4]> {
         let color = |&index: &u32| std::array::from_fn(|k| look_up(&self.maps[I_TO_R + k], self.shift_index(index)));
@@ -85,6 +102,7 @@ impl PixelState {
             }
             Groups::Index(indices) => Groups::Rgba(self.colors_of_indices(&indices)),
             Groups::Depth(depths) => Groups::Depth(depths),
+            Groups::DepthStencil(words) => Groups::DepthStencil(words),
         }
     }
 }
@@ -93,6 +111,11 @@ impl ClientImage {
     /// The image's colours after transfer.
     pub(crate) fn into_colors(self, transfer: &PixelState) -> Groups {
         transfer.transferred_colors(self.groups)
+    }
+
+    /// What a texture takes: colours or depths.
+    pub(crate) fn into_texture(self, transfer: &PixelState) -> Groups {
+        transfer.transferred_depths(self.into_colors(transfer))
     }
 }
 

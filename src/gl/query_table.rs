@@ -5,8 +5,9 @@ use glam::Mat4;
 use super::Context;
 use super::enums::*;
 use super::query::{Kind, Value};
+use super::renderbuffer::MAX_RENDERBUFFER_SIZE;
 use super::state::*;
-use crate::device::ColorFormat;
+use super::texture_image::MAX_TEXTURE_SIZE;
 
 impl Context {
     /// The value of a state variable in its own type; `None` for a name that is none.
@@ -30,7 +31,7 @@ impl Context {
             .or_else(|| self.query_raster_state(pname))
             .or_else(|| self.query_fragment_state(pname))
             .or_else(|| self.query_pixel_state(pname))
-            .or_else(|| self.query_window(pname))
+            .or_else(|| self.query_framebuffer(pname))
             .or_else(|| query_limit(pname))
     }
 
@@ -139,29 +140,6 @@ impl Context {
         })
     }
 
-    /// What the window's buffers store.
-    fn query_window(&self, pname: GLenum) -> Option<Value> {
-        let config = &self.config;
-        let [red, green, blue, alpha] = match config.color {
-            ColorFormat::Rgba8 => [8, 8, 8, 8],
-            ColorFormat::Rgbx8 => [8, 8, 8, 0],
-            ColorFormat::Rgb565 => [5, 6, 5, 0],
-            ColorFormat::Rgba16 => [16; 4],
-            ColorFormat::Rgba32f => [32; 4],
-        };
-        Some(match pname {
-            GL_RED_BITS => Value::int(red),
-            GL_GREEN_BITS => Value::int(green),
-            GL_BLUE_BITS => Value::int(blue),
-            GL_ALPHA_BITS => Value::int(alpha),
-            GL_DEPTH_BITS => Value::int(config.depth_bits),
-            GL_STENCIL_BITS => Value::int(config.stencil_bits),
-            GL_ACCUM_RED_BITS..=GL_ACCUM_ALPHA_BITS => Value::int(config.accum_bits),
-            GL_DOUBLEBUFFER => Value::bool(false),
-            _ => return None,
-        })
-    }
-
     /// Per-fragment operations and clear values.
     fn query_fragment_state(&self, pname: GLenum) -> Option<Value> {
         let s = &self.state;
@@ -178,7 +156,6 @@ impl Context {
             GL_BLEND_EQUATION_ALPHA => Value::int(color.blend_equation[1]),
             GL_BLEND_COLOR => Value::normalized(&color.blend_color),
             GL_LOGIC_OP_MODE => Value::int(color.logic_op),
-            GL_DRAW_BUFFER | GL_DRAW_BUFFER0 => Value::int(color.draw_buffer),
             GL_COLOR_WRITEMASK => Value::bools(&color.color_mask),
             GL_INDEX_WRITEMASK => Value::int(color.index_mask as i32),
             GL_COLOR_CLEAR_VALUE => Value::normalized(&color.clear_color),
@@ -235,7 +212,6 @@ impl Context {
             GL_PIXEL_MAP_I_TO_I_SIZE..=GL_PIXEL_MAP_A_TO_A_SIZE => {
                 Value::int(p.maps[(pname - GL_PIXEL_MAP_I_TO_I_SIZE) as usize].len() as i64)
             }
-            GL_READ_BUFFER => Value::int(p.read_buffer),
             _ => return None,
         })
     }
@@ -273,7 +249,8 @@ fn query_limit(pname: GLenum) -> Option<Value> {
         GL_MAX_ATTRIB_STACK_DEPTH | GL_MAX_CLIENT_ATTRIB_STACK_DEPTH => Value::int(ATTRIB_STACK_DEPTH as i64),
         GL_MAX_NAME_STACK_DEPTH => Value::int(NAME_STACK_DEPTH as i64),
         GL_MAX_LIST_NESTING => Value::int(MAX_LIST_NESTING as i64),
-        GL_MAX_TEXTURE_SIZE | GL_MAX_CUBE_MAP_TEXTURE_SIZE | GL_MAX_RENDERBUFFER_SIZE => Value::int(16384),
+        GL_MAX_TEXTURE_SIZE | GL_MAX_CUBE_MAP_TEXTURE_SIZE => Value::int(MAX_TEXTURE_SIZE),
+        GL_MAX_RENDERBUFFER_SIZE => Value::int(MAX_RENDERBUFFER_SIZE),
         GL_MAX_3D_TEXTURE_SIZE => Value::int(2048),
         GL_MAX_TEXTURE_LOD_BIAS => Value::float(16.0),
         GL_MAX_VIEWPORT_DIMS => Value::ints(&[16384, 16384]),
@@ -289,7 +266,6 @@ fn query_limit(pname: GLenum) -> Option<Value> {
         GL_RGBA_MODE => Value::int(1),
         GL_NUM_COMPRESSED_TEXTURE_FORMATS => Value::int(0),
         GL_COMPRESSED_TEXTURE_FORMATS => Value::ints(&[]),
-        GL_SAMPLE_BUFFERS | GL_SAMPLES => Value::int(0),
         _ => return None,
     })
 }

@@ -2,22 +2,14 @@
 
 use super::Context;
 use super::enums::*;
-use super::framebuffer::{Rect, bounds, read_color, read_depth, read_stencil};
+use super::framebuffer::{Rect, bounds, read_depth, read_stencil};
+use super::framebuffer_object::Aspect;
 use super::pixel_format::{Groups, check, pack};
-use crate::device::DepthFormat;
 
 impl Context {
-    /// The window's part of a rectangle, and its colours before transfer. None without a window.
-    pub(crate) fn read_window_colors(&mut self, rect: Rect) -> Option<(Rect, Groups)> {
-        self.flush_batch();
-        let pixels = &self.window.as_mut()?.color_pixels();
-        let inside = rect.and(bounds(pixels));
-        Some((inside, read_color(pixels, inside)))
-    }
-
     /// Colours of a rectangle before transfer, zero outside the window.
     pub(crate) fn read_padded_colors(&mut self, rect: Rect) -> Option<Groups> {
-        let (inside, groups) = self.read_window_colors(rect)?;
+        let (inside, groups) = self.read_colors(rect)?;
         Some(match groups {
             Groups::Rgba8(p) => Groups::Rgba8(pad(p, inside, rect, 0)),
             Groups::Rgba(p) => Groups::Rgba(pad(p, inside, rect, [0.0; 4])),
@@ -32,16 +24,28 @@ impl Context {
         self.state.pixel.transferred_colors(groups)
     }
 
-    /// The error of reading this kind of pixels from the window.
-    pub(crate) fn check_readable(&self, format: GLenum) -> Result<(), GLenum> {
-        let missing = match format {
-            // There is no colour index buffer.
-            GL_COLOR_INDEX => true,
-            GL_STENCIL_INDEX => self.config.stencil_bits == 0,
-            GL_DEPTH_COMPONENT => self.config.surface_format().depth == DepthFormat::None,
-            _ => self.state.pixel.read_buffer == GL_NONE,
-        };
-        if missing { Err(GL_INVALID_OPERATION) } else { Ok(()) }
+    /// The part of a rectangle that can be read, and its depths.
+    pub(crate) fn read_depths(&mut self, rect: Rect) -> Option<(Rect, Vec<f64>)> {
+        self.look_at_pixels(Aspect::Depth, |pixels| {
+            let inside = rect.and(bounds(pixels));
+            (inside, read_depth(pixels, inside))
+        })
+    }
+
+    /// The same for its stencil values.
+    pub(crate) fn read_stencils(&mut self, rect: Rect) -> Option<(Rect, Vec<u32>)> {
+        self.look_at_pixels(Aspect::Stencil, |pixels| {
+            let inside = rect.and(bounds(pixels));
+            (inside, read_stencil(pixels, inside))
+        })
+    }
+
+    /// The same for both: depth in 24 bits below the stencil.
+    pub(crate) fn read_depths_and_stencils(&mut self, rect: Rect) -> Option<(Rect, Vec<u32>)> {
+        let (inside, depths) = self.read_depths(rect)?;
+        let (_, indices) = self.read_stencils(rect)?;
+        let word = |(depth, index): (f64, u32)| (depth * 16777215.0).round() as u32 | index << 24;
+        Some((inside, depths.into_iter().zip(indices).map(word).collect()))
     }
 
     /// glReadPixels. `out`: from the client's pointer on, as [`Context::pack_bytes`] says. Pixels outside the window are
@@ -58,19 +62,19 @@ impl Context {
         }
         let Some(out) = out else { return };
         let rect = Rect::new(x, y, width, height);
-        self.flush_batch();
-        let Some(window) = self.window.as_mut() else { return };
-        let pixels = &if matches!(format, GL_DEPTH_COMPONENT | GL_STENCIL_INDEX) { window.pixels() } else { window.color_pixels() };
-        let inside = rect.and(bounds(pixels));
-        if inside.is_empty() {
-            return;
-        }
-        let transfer = &self.state.pixel;
-        let groups = match format {
-            GL_DEPTH_COMPONENT => Groups::Depth(read_depth(pixels, inside).into_iter().map(|d| transfer.transfer_depth(d)).collect()),
-            GL_STENCIL_INDEX => Groups::Index(read_stencil(pixels, inside).into_iter().map(|s| transfer.transfer_stencil(s)).collect()),
-            _ => transfer.transferred_colors(read_color(pixels, inside)),
+        let read = match format {
+            GL_DEPTH_COMPONENT => self
+                .read_depths(rect)
+                .map(|(inside, depths)| (inside, Groups::Depth(depths.into_iter().map(|d| self.state.pixel.transfer_depth(d)).collect()))),
+            GL_DEPTH_STENCIL => self.read_depths_and_stencils(rect).map(|(inside, words)| {
+                (inside, Groups::DepthStencil(words.into_iter().map(|w| self.state.pixel.transfer_depth_stencil(w)).collect()))
+            }),
+            GL_STENCIL_INDEX => self.read_stencils(rect).map(|(inside, indices)| {
+                (inside, Groups::Index(indices.into_iter().map(|s| self.state.pixel.transfer_stencil(s)).collect()))
+            }),
+            _ => self.read_colors(rect).map(|(inside, colors)| (inside, self.state.pixel.transferred_colors(colors))),
         };
+        let Some((inside, groups)) = read.filter(|(inside, _)| !inside.is_empty()) else { return };
         // The rows of the client's image stay where they are: what is cut off is skipped.
         let mut store = self.state.pack.clone();
         if store.row_length == 0 {
@@ -87,7 +91,7 @@ impl Context {
 }
 
 /// Puts the groups of the inner rectangle into the outer one.
-fn pad<T: Copy>(groups: Vec<T>, inside: Rect, outside: Rect, fill: T) -> Vec<T> {
+pub(crate) fn pad<T: Copy>(groups: Vec<T>, inside: Rect, outside: Rect, fill: T) -> Vec<T> {
     if inside == outside {
         return groups;
     }

@@ -3,6 +3,7 @@
 //! clamps on the way in. Enums stay `GLenum` here: the derived state translates them.
 
 use super::enums::*;
+use super::framebuffer_object::MAX_DRAW_BUFFERS;
 use glam::{Mat4, Vec3, Vec4};
 
 /// Lights (GL_MAX_LIGHTS).
@@ -295,7 +296,8 @@ pub struct ColorBufferState {
     pub index_logic_op: bool,
     pub color_logic_op: bool,
     pub logic_op: GLenum,
-    pub draw_buffer: GLenum,
+    /// The window's; framebuffer objects have their own.
+    pub draw_buffers: [GLenum; MAX_DRAW_BUFFERS],
     pub color_mask: [bool; 4],
     pub index_mask: u32,
     pub clear_color: [f32; 4],
@@ -618,7 +620,7 @@ impl Default for State {
                 index_logic_op: false,
                 color_logic_op: false,
                 logic_op: GL_COPY,
-                draw_buffer: GL_FRONT,
+                draw_buffers: std::array::from_fn(|k| if k == 0 { GL_FRONT } else { GL_NONE }),
                 color_mask: [true; 4],
                 index_mask: !0,
                 clear_color: [0.0; 4],

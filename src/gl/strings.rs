@@ -5,15 +5,17 @@ use std::ffi::{CStr, CString};
 use super::Context;
 use super::enums::*;
 
-/// The version of OpenGL that is implemented whole, then the version of Tepui. Of 1.4 the depth textures are missing.
+/// The version of OpenGL that is implemented whole, then the version of Tepui. Of 1.4 the comparison of shadows is missing.
 pub const VERSION: &CStr = c"1.3 Tepui 0.1.0";
 
 /// Extensions that work; what 1.4 made core is named one by one.
-pub const EXTENSIONS: &CStr = c"GL_ARB_multisample GL_ARB_multitexture GL_ARB_point_parameters GL_ARB_texture_border_clamp \
+pub const EXTENSIONS: &CStr = c"GL_ARB_depth_texture GL_ARB_draw_buffers GL_ARB_framebuffer_object \
+GL_ARB_multisample GL_ARB_multitexture GL_ARB_point_parameters GL_ARB_texture_border_clamp \
 GL_ARB_texture_compression GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine \
 GL_ARB_texture_env_crossbar GL_ARB_texture_env_dot3 GL_ARB_texture_mirrored_repeat GL_ARB_transpose_matrix GL_ARB_window_pos \
 GL_EXT_abgr GL_EXT_bgra GL_EXT_blend_color GL_EXT_blend_equation_separate GL_EXT_blend_func_separate GL_EXT_blend_minmax \
 GL_EXT_blend_subtract GL_EXT_compiled_vertex_array GL_EXT_copy_texture GL_EXT_draw_range_elements GL_EXT_fog_coord \
+GL_EXT_framebuffer_blit GL_EXT_framebuffer_multisample GL_EXT_framebuffer_object GL_EXT_packed_depth_stencil \
 GL_EXT_multi_draw_arrays GL_EXT_packed_pixels GL_EXT_point_parameters GL_EXT_polygon_offset GL_EXT_rescale_normal \
 GL_EXT_secondary_color GL_EXT_separate_specular_color GL_EXT_stencil_wrap GL_EXT_subtexture GL_EXT_texture GL_EXT_texture3D \
 GL_EXT_texture_cube_map GL_EXT_texture_edge_clamp GL_EXT_texture_env_add GL_EXT_texture_env_combine GL_EXT_texture_env_dot3 \

@@ -4,15 +4,16 @@
 //! GL_RGBA2 and GL_RGB4 with 4, GL_RGB5 with 5 each, 12-bit formats with 16.
 
 use super::enums::*;
+use super::framebuffer::quantize_depth;
 use super::pixel_format::{Groups, widen};
 use crate::draw::texture::TexelFormat;
 
 /// An internal format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct InternalFormat {
-    /// GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RGB or GL_RGBA.
+    /// GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RGB, GL_RGBA, GL_DEPTH_COMPONENT or GL_DEPTH_STENCIL.
     pub base: GLenum,
-    /// Bits kept of red, green, blue, alpha; luminance and intensity have red's.
+    /// Bits kept of red, green, blue, alpha; luminance and intensity have red's. Of depth and stencil instead.
     pub bits: [u8; 4],
 }
 
@@ -42,12 +43,20 @@ impl InternalFormat {
             GL_RGB5_A1 => (GL_RGBA, [5, 5, 5, 1]),
             GL_RGB10_A2 => (GL_RGBA, [10, 10, 10, 2]),
             GL_RGBA12 | GL_RGBA16 => (GL_RGBA, [16; 4]),
+            GL_DEPTH_COMPONENT16 => (GL_DEPTH_COMPONENT, [16, 0, 0, 0]),
+            GL_DEPTH_COMPONENT | GL_DEPTH_COMPONENT24 | GL_DEPTH_COMPONENT32 => (GL_DEPTH_COMPONENT, [24, 0, 0, 0]),
+            GL_DEPTH_STENCIL | GL_DEPTH24_STENCIL8 => (GL_DEPTH_STENCIL, [24, 8, 0, 0]),
             _ => return None,
         };
         Some(InternalFormat { base, bits })
     }
 
-    /// How texels are kept.
+    /// Depth, perhaps with stencil, is kept, a word a texel: as planes hold it.
+    pub fn is_depth(self) -> bool {
+        matches!(self.base, GL_DEPTH_COMPONENT | GL_DEPTH_STENCIL)
+    }
+
+    /// How texels are sampled; those of colours are kept so as well.
     pub fn texels(self) -> TexelFormat {
         if self.bits.iter().all(|&b| b <= 8) { TexelFormat::Rgba8 } else { TexelFormat::Rgba32f }
     }
@@ -55,6 +64,7 @@ impl InternalFormat {
     /// Words a texel.
     pub fn words(self) -> usize {
         match self.texels() {
+            _ if self.is_depth() => 1,
             TexelFormat::Rgba8 => 1,
             TexelFormat::Rgba32f => 4,
         }
@@ -71,6 +81,8 @@ impl InternalFormat {
             GL_TEXTURE_ALPHA_SIZE => has(&[GL_ALPHA, GL_LUMINANCE_ALPHA, GL_RGBA], a),
             GL_TEXTURE_LUMINANCE_SIZE => has(&[GL_LUMINANCE, GL_LUMINANCE_ALPHA], r),
             GL_TEXTURE_INTENSITY_SIZE => has(&[GL_INTENSITY], r),
+            GL_TEXTURE_DEPTH_SIZE => has(&[GL_DEPTH_COMPONENT, GL_DEPTH_STENCIL], r),
+            GL_TEXTURE_STENCIL_SIZE => has(&[GL_DEPTH_STENCIL], g),
             _ => 0,
         }
     }
@@ -78,6 +90,8 @@ impl InternalFormat {
     /// Texels of transferred colours, expanded by the base format and with no more precision than the format keeps.
     pub fn store(self, groups: Groups) -> Vec<u32> {
         match (groups, self.texels()) {
+            (Groups::Depth(depths), _) => depths.into_iter().map(|d| quantize_depth(d, self.depth_max())).collect(),
+            (Groups::DepthStencil(words), _) => words,
             (Groups::Rgba8(pixels), TexelFormat::Rgba8) => self.store_rgba8(pixels),
             (Groups::Rgba(pixels), TexelFormat::Rgba8) => self.store_rgba8(pixels.iter().map(|p| to_rgba8(*p)).collect()),
             (Groups::Rgba8(pixels), TexelFormat::Rgba32f) => {
@@ -86,6 +100,24 @@ impl InternalFormat {
             (Groups::Rgba(pixels), TexelFormat::Rgba32f) => pixels.iter().flat_map(|p| self.store_float(*p)).collect(),
             _ => Vec::new(),
         }
+    }
+
+    /// Steps of depth.
+    fn depth_max(self) -> f64 {
+        ((1u32 << self.bits[0]) - 1) as f64
+    }
+
+    /// Texels as they are sampled: depth as luminance, intensity or alpha (GL_DEPTH_TEXTURE_MODE).
+    pub fn sampled(self, texels: &[u32], depth_mode: GLenum) -> Vec<u32> {
+        let format = InternalFormat { base: depth_mode, bits: self.bits };
+        let max = self.depth_max();
+        texels
+            .iter()
+            .flat_map(|texel| {
+                let depth = (f64::from(texel & 0xff_ffff) / max) as f32;
+                format.expand([depth, depth, depth, depth]).map(f32::to_bits)
+            })
+            .collect()
     }
 
     fn store_rgba8(self, mut pixels: Vec<u32>) -> Vec<u32> {
@@ -134,6 +166,12 @@ impl InternalFormat {
 
     /// Texels as glGetTexImage sees them: luminance and intensity in red alone (table 6.1).
     pub fn read(self, texels: &[u32]) -> Groups {
+        if self.is_depth() {
+            return match self.base {
+                GL_DEPTH_STENCIL => Groups::DepthStencil(texels.to_vec()),
+                _ => Groups::Depth(texels.iter().map(|t| f64::from(t & 0xff_ffff) / self.depth_max()).collect()),
+            };
+        }
         let red_only = matches!(self.base, GL_LUMINANCE | GL_LUMINANCE_ALPHA | GL_INTENSITY);
         match self.texels() {
             TexelFormat::Rgba8 if self.base == GL_INTENSITY => Groups::Rgba8(texels.iter().map(|p| p & 255 | 0xff00_0000).collect()),

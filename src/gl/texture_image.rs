@@ -6,6 +6,7 @@ use super::enums::*;
 use super::pixel_format::{ClientImage, Groups, check, pack};
 use super::texture_format::InternalFormat;
 use super::texture_object::LevelImage;
+use super::texture_planes::LayerPlanes;
 use super::{Context, dirty};
 use crate::draw::texture::TextureKind;
 
@@ -43,12 +44,12 @@ impl ImageTarget {
     }
 
     /// Largest width, height and depth of a level without border.
-    fn max_size(self) -> i32 {
+    pub fn max_size(self) -> i32 {
         if self.kind == TextureKind::D3 { MAX_3D_TEXTURE_SIZE } else { MAX_TEXTURE_SIZE }
     }
 
     /// Dimensions that the commands for it have.
-    fn dimensions(self) -> usize {
+    pub fn dimensions(self) -> usize {
         match self.kind {
             TextureKind::D1 => 1,
             TextureKind::D2 | TextureKind::Cube => 2,
@@ -100,6 +101,9 @@ impl ImageSpec {
             return Err(GL_INVALID_VALUE);
         }
         let format = InternalFormat::from_enum(internal_format).ok_or(GL_INVALID_VALUE)?;
+        if format.is_depth() && matches!(target.kind, TextureKind::D3 | TextureKind::Cube) {
+            return Err(GL_INVALID_OPERATION);
+        }
         Ok(ImageSpec { target, level: level as usize, internal_format, format, size, border })
     }
 
@@ -133,7 +137,7 @@ impl ImageSpec {
 
     /// Texels of an image without data.
     fn blank(&self) -> Vec<u32> {
-        let texel = self.format.store(Groups::Rgba8(vec![0]));
+        let texel = if self.format.is_depth() { vec![0] } else { self.format.store(Groups::Rgba8(vec![0])) };
         let count = self.texel_count() as usize;
         match texel[..] {
             [word] => vec![word; count],
@@ -158,6 +162,8 @@ fn cut_border(groups: Groups, size: [usize; 3], dimensions: usize) -> Groups {
     match groups {
         Groups::Rgba8(p) => Groups::Rgba8(cut(&p, size, dimensions)),
         Groups::Rgba(p) => Groups::Rgba(cut(&p, size, dimensions)),
+        Groups::Depth(p) => Groups::Depth(cut(&p, size, dimensions)),
+        Groups::DepthStencil(p) => Groups::DepthStencil(cut(&p, size, dimensions)),
         other => other,
     }
 }
@@ -167,9 +173,14 @@ fn check_texture_format(format: GLenum, ty: GLenum) -> Result<(), GLenum> {
     if format == GL_STENCIL_INDEX {
         return Err(GL_INVALID_ENUM);
     }
-    check(format, ty)?;
-    // Textures with a base format of GL_DEPTH_COMPONENT are not there yet, so depth never matches.
-    if format == GL_DEPTH_COMPONENT { Err(GL_INVALID_OPERATION) } else { Ok(()) }
+    check(format, ty)
+}
+
+/// Depths go to and from depth textures, depths with stencils to and from those that have both, colours to and from the others
+/// (ARB_depth_texture, EXT_packed_depth_stencil).
+fn check_base_format(format: GLenum, base: GLenum) -> Result<(), GLenum> {
+    let kind = |format| if matches!(format, GL_DEPTH_COMPONENT | GL_DEPTH_STENCIL) { format } else { GL_COLOR };
+    if kind(format) == kind(base) { Ok(()) } else { Err(GL_INVALID_OPERATION) }
 }
 
 /// The checks of glTexImage but for the sizes that are not supported.
@@ -187,6 +198,7 @@ fn check_image(
     let target = ImageTarget::checked(target, level, dimensions, true)?;
     let spec = ImageSpec::checked(target, level, internal_format, size, border)?;
     check_texture_format(format, ty)?;
+    check_base_format(format, spec.format.base)?;
     Ok(spec)
 }
 
@@ -302,7 +314,7 @@ impl Context {
         let texels = match image {
             Some(image) => {
                 let image = Arc::try_unwrap(image).unwrap_or_else(|shared| (*shared).clone());
-                spec.store(image.into_colors(&self.state.pixel))
+                spec.store(image.into_texture(&self.state.pixel))
             }
             None => spec.blank(),
         };
@@ -311,7 +323,13 @@ impl Context {
 
     /// Puts a level into the bound texture.
     pub(crate) fn set_texture_level(&mut self, spec: &ImageSpec, texels: Vec<u32>) {
-        let image = LevelImage { size: spec.inner(), internal_format: spec.internal_format, format: spec.format, texels: Arc::new(texels) };
+        let (size, texels) = (spec.inner(), Arc::new(texels));
+        let image = LevelImage { size, internal_format: spec.internal_format, format: spec.format, texels, planes: LayerPlanes::default() };
+        self.settle_texture(spec.target.kind);
+        if self.fbo.draw != 0 {
+            // The texture may be attached.
+            self.framebuffer_changes();
+        }
         self.with_texture(spec.target.kind, |object| {
             object.set_image(spec.target.face, spec.level, image);
             object.generate_mipmaps_after(spec.target.face, spec.level);
@@ -378,8 +396,11 @@ impl Context {
         let kept = image.clone();
         let run = move |cx: &mut Context, image: Option<Arc<ClientImage>>| {
             let result = check_texture_format(format, ty).and_then(|()| {
+                let target = cx.check_sub_image(dimensions, target, level, offset, size).map(|t| (t, target));
+                let (checked, target) = target?;
+                check_base_format(format, cx.base_format_of(checked, level))?;
                 let transfer = &cx.state.pixel;
-                let groups = image.map(|image| Arc::try_unwrap(image).unwrap_or_else(|shared| (*shared).clone()).into_colors(transfer));
+                let groups = image.map(|image| Arc::try_unwrap(image).unwrap_or_else(|shared| (*shared).clone()).into_texture(transfer));
                 cx.write_sub_image(dimensions, target, level, offset, size, groups)
             });
             if let Err(error) = result {
@@ -412,7 +433,12 @@ impl Context {
         })
     }
 
-    /// Writes transferred colours into a level; without colours only the checks are done.
+    /// The base format of a level of a bound texture; GL_RGBA where there is none.
+    pub(crate) fn base_format_of(&self, target: ImageTarget, level: i32) -> GLenum {
+        self.with_texture(target.kind, |object| object.image(target.face, level as usize).map_or(GL_RGBA, |image| image.format.base))
+    }
+
+    /// Writes transferred colours (or depths) into a level; without colours only the checks are done.
     pub(crate) fn write_sub_image(
         &mut self,
         dimensions: usize,
@@ -427,6 +453,7 @@ impl Context {
         if size.contains(&0) {
             return Ok(());
         }
+        self.settle_texture(target.kind);
         self.with_texture(target.kind, |object| {
             let Some(image) = object.image_mut(target.face, level as usize) else { return };
             let words = image.format.words();
@@ -440,6 +467,7 @@ impl Context {
                 let at = (((z + row / height) * full_height + y + row % height) * full_width + x) * words;
                 out[at..at + width * words].copy_from_slice(source);
             }
+            object.give_to_planes(target.face, level as usize);
             object.generate_mipmaps_after(target.face, level as usize);
         });
         self.dirty |= dirty::TEXTURE;
@@ -473,16 +501,25 @@ impl Context {
         if matches!(format, GL_STENCIL_INDEX | GL_COLOR_INDEX) {
             return self.set_error(GL_INVALID_ENUM, "glGetTexImage");
         }
-        if let Err(error) = check_texture_format(format, ty) {
+        // A depth texture with stencil gives its depths alone as well.
+        let base = match (format, self.base_format_of(image_target, level)) {
+            (GL_DEPTH_COMPONENT, GL_DEPTH_STENCIL) => GL_DEPTH_COMPONENT,
+            (_, base) => base,
+        };
+        if let Err(error) = check_texture_format(format, ty).and_then(|()| check_base_format(format, base)) {
             return self.set_error(error, "glGetTexImage");
         }
         let Some(out) = out else { return };
+        self.settle_texture(image_target.kind);
         let read = self.with_texture(image_target.kind, |object| {
             let image = object.image(image_target.face, level as usize)?;
             Some((image.size.map(|n| n as usize), image.format.read(&image.texels)))
         });
         // No pixel transfer on this way (6.1.4).
         if let Some((size, mut groups)) = read {
+            if let (GL_DEPTH_COMPONENT, Groups::DepthStencil(words)) = (format, &groups) {
+                groups = Groups::Depth(words.iter().map(|w| f64::from(w & 0xff_ffff) / 16777215.0).collect());
+            }
             if matches!(format, GL_LUMINANCE | GL_LUMINANCE_ALPHA) {
                 // Luminance is red here, not the sum that glReadPixels makes: Mesa's reading, and the useful one.
                 match &mut groups {

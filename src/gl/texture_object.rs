@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::enums::*;
 use super::texture_format::InternalFormat;
+use super::texture_planes::LayerPlanes;
 use super::{Context, dirty};
 use crate::draw::texture::{Sampler, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
 
@@ -18,8 +19,20 @@ pub(crate) struct LevelImage {
     pub internal_format: GLenum,
     /// What it stands for.
     pub format: InternalFormat,
-    /// Texels as `format.texels()` says.
+    /// Texels as `format.texels()` says; depth and stencil as planes hold them.
     pub texels: Arc<Vec<u32>>,
+    /// What framebuffers draw into, by layer.
+    pub planes: LayerPlanes,
+}
+
+/// Tells a texture object from all others, also after its name was deleted, and keeps it.
+#[derive(Clone, Debug, Default)]
+pub struct TextureHandle(Arc<()>);
+
+impl PartialEq for TextureHandle {
+    fn eq(&self, other: &TextureHandle) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
 }
 
 /// A texture object.
@@ -47,6 +60,10 @@ pub struct TextureObject {
     /// The snapshot of the levels, once it was asked for; dropped by every change of an image. The second is true
     /// when it holds a complete set of mipmaps.
     snapshot: Option<(Arc<TextureImage>, bool)>,
+    /// Attachments hold it.
+    pub(crate) handle: TextureHandle,
+    /// Some level has a plane.
+    pub(crate) has_planes: bool,
 }
 
 /// Source of [`TextureImage::id`].
@@ -77,6 +94,8 @@ impl TextureObject {
             compare_func: GL_LEQUAL,
             faces: vec![Vec::new(); if kind == TextureKind::Cube { 6 } else { 1 }],
             snapshot: None,
+            handle: TextureHandle::default(),
+            has_planes: false,
         }
     }
 
@@ -122,6 +141,11 @@ impl TextureObject {
         Some(base)
     }
 
+    /// False for a cube map whose faces do not go together.
+    pub(crate) fn is_cube_complete(&self) -> bool {
+        self.kind != TextureKind::Cube || self.base().is_some()
+    }
+
     /// The texels of a level of all faces, face after face.
     fn level_texels(&self, level: usize) -> Option<Arc<Vec<u32>>> {
         if self.faces.len() == 1 {
@@ -163,7 +187,11 @@ impl TextureObject {
             for level in first..=last {
                 let [width, height, depth] = self.image(0, level)?.size;
                 let depth = if self.kind == TextureKind::Cube { 6 } else { depth };
-                levels.push(TextureLevel { width, height, depth, texels: self.level_texels(level)? });
+                let mut texels = self.level_texels(level)?;
+                if base.format.is_depth() {
+                    texels = Arc::new(base.format.sampled(&texels, self.depth_mode));
+                }
+                levels.push(TextureLevel { width, height, depth, texels });
             }
             let image = TextureImage { id: unique_image_id(), kind: self.kind, format: base.format.texels(), levels };
             self.snapshot = Some((Arc::new(image), mipmaps));
@@ -199,6 +227,8 @@ impl TextureObject {
     fn binding(&mut self, unit_bias: f32) -> Option<(TextureBinding, GLenum)> {
         let image = self.snapshot()?;
         let format = self.image(0, self.base_level as usize)?.format;
+        // Depth is sampled as what GL_DEPTH_TEXTURE_MODE says.
+        let format = if format.is_depth() { InternalFormat { base: self.depth_mode, ..format } } else { format };
         Some((TextureBinding { image, sampler: self.sampler(format, unit_bias) }, format.base))
     }
 }
@@ -206,14 +236,15 @@ impl TextureObject {
 impl TextureObject {
     /// A copy without images, for the attribute stack.
     pub(crate) fn parameters(&self) -> TextureObject {
-        TextureObject { faces: Vec::new(), snapshot: None, ..*self }
+        TextureObject { faces: Vec::new(), snapshot: None, handle: TextureHandle::default(), ..*self }
     }
 
     /// Takes the parameters of `saved` and keeps the images.
     pub(crate) fn restore_parameters(&mut self, saved: &TextureObject) {
         let same_levels = (self.base_level, self.max_level) == (saved.base_level, saved.max_level);
         let snapshot = self.snapshot.take().filter(|_| same_levels);
-        *self = TextureObject { faces: std::mem::take(&mut self.faces), snapshot, ..*saved };
+        let (faces, handle, has_planes) = (std::mem::take(&mut self.faces), self.handle.clone(), self.has_planes);
+        *self = TextureObject { faces, snapshot, handle, has_planes, ..*saved };
     }
 }
 
@@ -223,6 +254,8 @@ pub struct TextureTable {
     objects: HashMap<u32, Option<TextureObject>>,
     /// Name 0, by kind.
     defaults: [TextureObject; 4],
+    /// Deleted, but still attached to some framebuffer.
+    attached: Vec<TextureObject>,
     /// Where to look for unused names.
     next: u32,
 }
@@ -230,7 +263,7 @@ pub struct TextureTable {
 impl Default for TextureTable {
     fn default() -> TextureTable {
         let defaults = [TextureKind::D1, TextureKind::D2, TextureKind::D3, TextureKind::Cube].map(TextureObject::new);
-        TextureTable { objects: HashMap::new(), defaults, next: 1 }
+        TextureTable { objects: HashMap::new(), defaults, attached: Vec::new(), next: 1 }
     }
 }
 
@@ -247,6 +280,37 @@ impl TextureTable {
     pub(crate) fn existing(&mut self, kind: TextureKind, name: u32) -> Option<&mut TextureObject> {
         let there = name == 0 || matches!(self.objects.get(&name), Some(Some(object)) if object.kind == kind);
         there.then(|| self.object(kind, name))
+    }
+
+    /// The kind of a texture that was bound before.
+    pub(crate) fn kind(&self, name: u32) -> Option<TextureKind> {
+        Some(self.objects.get(&name)?.as_ref()?.kind)
+    }
+
+    /// What attachments know a texture by.
+    pub(crate) fn handle(&self, name: u32) -> Option<TextureHandle> {
+        Some(self.objects.get(&name)?.as_ref()?.handle.clone())
+    }
+
+    /// The object that an attachment holds.
+    pub(crate) fn of_handle(&mut self, name: u32, handle: &TextureHandle) -> Option<&mut TextureObject> {
+        match self.objects.get_mut(&name) {
+            Some(Some(object)) if object.handle == *handle => Some(object),
+            _ => self.attached.iter_mut().find(|object| object.handle == *handle),
+        }
+    }
+
+    /// Frees a name. The object stays while something is attached to it.
+    fn delete(&mut self, name: u32) {
+        if let Some(Some(object)) = self.objects.remove(&name) {
+            self.attached.push(object);
+            self.drop_unused();
+        }
+    }
+
+    /// Some attachments may be gone.
+    pub(crate) fn drop_unused(&mut self) {
+        self.attached.retain(|object| Arc::strong_count(&object.handle.0) > 1);
     }
 
     fn generate(&mut self) -> u32 {
@@ -308,7 +372,11 @@ impl Context {
             return self.set_error(GL_INVALID_VALUE, "glDeleteTextures");
         }
         for &name in names.iter().filter(|&&name| name != 0) {
-            self.shared().textures.objects.remove(&name);
+            let handle = self.shared().textures.handle(name);
+            if let Some(handle) = handle {
+                self.detach_texture(&handle);
+            }
+            self.shared().textures.delete(name);
             for unit in &mut self.state.texture.units {
                 unit.bound.iter_mut().filter(|bound| **bound == name).for_each(|bound| *bound = 0);
             }

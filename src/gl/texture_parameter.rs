@@ -77,7 +77,11 @@ impl TextureObject {
                 self.levels_changed();
             }
             GL_GENERATE_MIPMAP => self.generate_mipmap = value.int() != 0,
-            GL_DEPTH_TEXTURE_MODE => self.depth_mode = choose(&[GL_LUMINANCE, GL_INTENSITY, GL_ALPHA])?,
+            GL_DEPTH_TEXTURE_MODE => {
+                self.depth_mode = choose(&[GL_LUMINANCE, GL_INTENSITY, GL_ALPHA])?;
+                // What is sampled holds depths as the mode says.
+                self.levels_changed();
+            }
             GL_TEXTURE_COMPARE_MODE => self.compare_mode = choose(&[GL_NONE, GL_COMPARE_R_TO_TEXTURE])?,
             GL_TEXTURE_COMPARE_FUNC => {
                 self.compare_func = choose(&[GL_LEQUAL, GL_GEQUAL, GL_LESS, GL_GREATER, GL_EQUAL, GL_NOTEQUAL, GL_ALWAYS, GL_NEVER])?
@@ -224,7 +228,22 @@ impl Context {
                 format.map_or(0, |f| f.size_of(pname))
             }
             GL_TEXTURE_LUMINANCE_SIZE | GL_TEXTURE_INTENSITY_SIZE => format.map_or(0, |f| f.size_of(pname)),
-            GL_TEXTURE_DEPTH_SIZE | GL_TEXTURE_COMPRESSED => 0,
+            GL_TEXTURE_DEPTH_SIZE | GL_TEXTURE_STENCIL_SIZE => format.map_or(0, |f| f.size_of(pname)),
+            GL_TEXTURE_RED_TYPE_ARB..=GL_TEXTURE_DEPTH_TYPE_ARB => {
+                // Of red, green, blue, alpha, luminance, intensity and depth.
+                const SIZES: [GLenum; 7] = [
+                    GL_TEXTURE_RED_SIZE,
+                    GL_TEXTURE_GREEN_SIZE,
+                    GL_TEXTURE_BLUE_SIZE,
+                    GL_TEXTURE_ALPHA_SIZE,
+                    GL_TEXTURE_LUMINANCE_SIZE,
+                    GL_TEXTURE_INTENSITY_SIZE,
+                    GL_TEXTURE_DEPTH_SIZE,
+                ];
+                let size = format.map_or(0, |f| f.size_of(SIZES[(pname - GL_TEXTURE_RED_TYPE_ARB) as usize]));
+                if size > 0 { GL_UNSIGNED_NORMALIZED as i32 } else { GL_NONE as i32 }
+            }
+            GL_TEXTURE_COMPRESSED => 0,
             _ => return Err(GL_INVALID_ENUM),
         })
     }

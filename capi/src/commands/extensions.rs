@@ -7,11 +7,7 @@ use crate::enter::read;
 
 /// glPolygonOffsetEXT: the bias counts in window depth, not in steps of the depth buffer.
 pub unsafe fn glPolygonOffsetEXT(cx: &mut Context, factor: f32, bias: f32) {
-    let steps = match cx.config.depth_bits {
-        1..=16 => 65535.0,
-        _ => 16777215.0,
-    };
-    cx.polygon_offset(factor, bias * steps);
+    cx.polygon_offset(factor, bias * cx.depth_steps());
 }
 
 /// glStencilFuncSeparateATI: one call, two functions.

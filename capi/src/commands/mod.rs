@@ -11,6 +11,7 @@ pub mod compressed;
 pub mod evaluators;
 pub mod extensions;
 pub mod flush;
+pub mod framebuffers;
 pub mod get;
 pub mod lists;
 pub mod matrices;

@@ -86,11 +86,11 @@ pub unsafe extern "C" fn glBindBufferARB(target: u32, buffer: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glBindFramebuffer(target: u32, framebuffer: u32) {
-    enter("glBindFramebuffer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glBindFramebuffer", &SAID) })
+    enter("glBindFramebuffer", |cx| cx.bind_framebuffer(target, framebuffer))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glBindFramebufferEXT(target: u32, framebuffer: u32) {
-    enter("glBindFramebufferEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glBindFramebufferEXT", &SAID) })
+    enter("glBindFramebufferEXT", |cx| cx.bind_framebuffer_ext(target, framebuffer))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glBindProgramARB(target: u32, program: u32) {
@@ -98,11 +98,11 @@ pub unsafe extern "C" fn glBindProgramARB(target: u32, program: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glBindRenderbuffer(target: u32, renderbuffer: u32) {
-    enter("glBindRenderbuffer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glBindRenderbuffer", &SAID) })
+    enter("glBindRenderbuffer", |cx| cx.bind_renderbuffer(target, renderbuffer))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glBindRenderbufferEXT(target: u32, renderbuffer: u32) {
-    enter("glBindRenderbufferEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glBindRenderbufferEXT", &SAID) })
+    enter("glBindRenderbufferEXT", |cx| cx.bind_renderbuffer_ext(target, renderbuffer))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glBindTexture(target: u32, texture: u32) {
@@ -158,11 +158,11 @@ pub unsafe extern "C" fn glBlendFuncSeparateINGR(sfactorRGB: u32, dfactorRGB: u3
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glBlitFramebuffer(srcX0: i32, srcY0: i32, srcX1: i32, srcY1: i32, dstX0: i32, dstY0: i32, dstX1: i32, dstY1: i32, mask: u32, filter: u32) {
-    enter("glBlitFramebuffer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glBlitFramebuffer", &SAID) })
+    enter("glBlitFramebuffer", |cx| cx.blit_framebuffer(srcX0, srcY0, srcX1, srcY1, dstX0, dstY0, dstX1, dstY1, mask, filter))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glBlitFramebufferEXT(srcX0: i32, srcY0: i32, srcX1: i32, srcY1: i32, dstX0: i32, dstY0: i32, dstX1: i32, dstY1: i32, mask: u32, filter: u32) {
-    enter("glBlitFramebufferEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glBlitFramebufferEXT", &SAID) })
+    enter("glBlitFramebufferEXT", |cx| cx.blit_framebuffer(srcX0, srcY0, srcX1, srcY1, dstX0, dstY0, dstX1, dstY1, mask, filter))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glBufferData(target: u32, size: isize, data: *const c_void, usage: u32) {
@@ -190,11 +190,11 @@ pub unsafe extern "C" fn glCallLists(n: i32, type_: u32, lists: *const c_void) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCheckFramebufferStatus(target: u32) -> u32 {
-    enter("glCheckFramebufferStatus", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCheckFramebufferStatus", &SAID) })
+    enter("glCheckFramebufferStatus", |cx| cx.check_framebuffer_status(target))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glCheckFramebufferStatusEXT(target: u32) -> u32 {
-    enter("glCheckFramebufferStatusEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glCheckFramebufferStatusEXT", &SAID) })
+    enter("glCheckFramebufferStatusEXT", |cx| cx.check_framebuffer_status(target))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glClampColorARB(target: u32, clamp: u32) {
@@ -566,11 +566,11 @@ pub unsafe extern "C" fn glDeleteBuffersARB(n: i32, buffers: *const u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDeleteFramebuffers(n: i32, framebuffers: *const u32) {
-    enter("glDeleteFramebuffers", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDeleteFramebuffers", &SAID) })
+    enter("glDeleteFramebuffers", |cx| unsafe { commands::framebuffers::glDeleteFramebuffers(cx, n, framebuffers) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDeleteFramebuffersEXT(n: i32, framebuffers: *const u32) {
-    enter("glDeleteFramebuffersEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDeleteFramebuffersEXT", &SAID) })
+    enter("glDeleteFramebuffersEXT", |cx| unsafe { commands::framebuffers::glDeleteFramebuffers(cx, n, framebuffers) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDeleteLists(list: u32, range: i32) {
@@ -598,11 +598,11 @@ pub unsafe extern "C" fn glDeleteQueriesARB(n: i32, ids: *const u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDeleteRenderbuffers(n: i32, renderbuffers: *const u32) {
-    enter("glDeleteRenderbuffers", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDeleteRenderbuffers", &SAID) })
+    enter("glDeleteRenderbuffers", |cx| unsafe { commands::framebuffers::glDeleteRenderbuffers(cx, n, renderbuffers) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDeleteRenderbuffersEXT(n: i32, renderbuffers: *const u32) {
-    enter("glDeleteRenderbuffersEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDeleteRenderbuffersEXT", &SAID) })
+    enter("glDeleteRenderbuffersEXT", |cx| unsafe { commands::framebuffers::glDeleteRenderbuffers(cx, n, renderbuffers) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDeleteShader(shader: u32) {
@@ -666,11 +666,11 @@ pub unsafe extern "C" fn glDrawBuffer(buf: u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawBuffers(n: i32, bufs: *const u32) {
-    enter("glDrawBuffers", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDrawBuffers", &SAID) })
+    enter("glDrawBuffers", |cx| unsafe { commands::framebuffers::glDrawBuffers(cx, n, bufs) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawBuffersARB(n: i32, bufs: *const u32) {
-    enter("glDrawBuffersARB", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glDrawBuffersARB", &SAID) })
+    enter("glDrawBuffersARB", |cx| unsafe { commands::framebuffers::glDrawBuffers(cx, n, bufs) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glDrawElements(mode: u32, count: i32, type_: u32, indices: *const c_void) {
@@ -854,39 +854,39 @@ pub unsafe extern "C" fn glFogiv(pname: u32, params: *const i32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFramebufferRenderbuffer(target: u32, attachment: u32, renderbuffertarget: u32, renderbuffer: u32) {
-    enter("glFramebufferRenderbuffer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFramebufferRenderbuffer", &SAID) })
+    enter("glFramebufferRenderbuffer", |cx| cx.framebuffer_renderbuffer(target, attachment, renderbuffertarget, renderbuffer))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFramebufferRenderbufferEXT(target: u32, attachment: u32, renderbuffertarget: u32, renderbuffer: u32) {
-    enter("glFramebufferRenderbufferEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFramebufferRenderbufferEXT", &SAID) })
+    enter("glFramebufferRenderbufferEXT", |cx| cx.framebuffer_renderbuffer(target, attachment, renderbuffertarget, renderbuffer))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFramebufferTexture1D(target: u32, attachment: u32, textarget: u32, texture: u32, level: i32) {
-    enter("glFramebufferTexture1D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFramebufferTexture1D", &SAID) })
+    enter("glFramebufferTexture1D", |cx| cx.framebuffer_texture_1d(target, attachment, textarget, texture, level))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFramebufferTexture1DEXT(target: u32, attachment: u32, textarget: u32, texture: u32, level: i32) {
-    enter("glFramebufferTexture1DEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFramebufferTexture1DEXT", &SAID) })
+    enter("glFramebufferTexture1DEXT", |cx| cx.framebuffer_texture_1d(target, attachment, textarget, texture, level))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFramebufferTexture2D(target: u32, attachment: u32, textarget: u32, texture: u32, level: i32) {
-    enter("glFramebufferTexture2D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFramebufferTexture2D", &SAID) })
+    enter("glFramebufferTexture2D", |cx| cx.framebuffer_texture_2d(target, attachment, textarget, texture, level))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFramebufferTexture2DEXT(target: u32, attachment: u32, textarget: u32, texture: u32, level: i32) {
-    enter("glFramebufferTexture2DEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFramebufferTexture2DEXT", &SAID) })
+    enter("glFramebufferTexture2DEXT", |cx| cx.framebuffer_texture_2d(target, attachment, textarget, texture, level))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFramebufferTexture3D(target: u32, attachment: u32, textarget: u32, texture: u32, level: i32, zoffset: i32) {
-    enter("glFramebufferTexture3D", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFramebufferTexture3D", &SAID) })
+    enter("glFramebufferTexture3D", |cx| cx.framebuffer_texture_3d(target, attachment, textarget, texture, level, zoffset))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFramebufferTexture3DEXT(target: u32, attachment: u32, textarget: u32, texture: u32, level: i32, zoffset: i32) {
-    enter("glFramebufferTexture3DEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFramebufferTexture3DEXT", &SAID) })
+    enter("glFramebufferTexture3DEXT", |cx| cx.framebuffer_texture_3d(target, attachment, textarget, texture, level, zoffset))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFramebufferTextureLayer(target: u32, attachment: u32, texture: u32, level: i32, layer: i32) {
-    enter("glFramebufferTextureLayer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glFramebufferTextureLayer", &SAID) })
+    enter("glFramebufferTextureLayer", |cx| cx.framebuffer_texture_layer(target, attachment, texture, level, layer))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFrontFace(mode: u32) {
@@ -906,11 +906,11 @@ pub unsafe extern "C" fn glGenBuffersARB(n: i32, buffers: *mut u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenFramebuffers(n: i32, framebuffers: *mut u32) {
-    enter("glGenFramebuffers", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGenFramebuffers", &SAID) })
+    enter("glGenFramebuffers", |cx| unsafe { commands::framebuffers::glGenFramebuffers(cx, n, framebuffers) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenFramebuffersEXT(n: i32, framebuffers: *mut u32) {
-    enter("glGenFramebuffersEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGenFramebuffersEXT", &SAID) })
+    enter("glGenFramebuffersEXT", |cx| unsafe { commands::framebuffers::glGenFramebuffers(cx, n, framebuffers) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenLists(range: i32) -> u32 {
@@ -930,11 +930,11 @@ pub unsafe extern "C" fn glGenQueriesARB(n: i32, ids: *mut u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenRenderbuffers(n: i32, renderbuffers: *mut u32) {
-    enter("glGenRenderbuffers", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGenRenderbuffers", &SAID) })
+    enter("glGenRenderbuffers", |cx| unsafe { commands::framebuffers::glGenRenderbuffers(cx, n, renderbuffers) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenRenderbuffersEXT(n: i32, renderbuffers: *mut u32) {
-    enter("glGenRenderbuffersEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGenRenderbuffersEXT", &SAID) })
+    enter("glGenRenderbuffersEXT", |cx| unsafe { commands::framebuffers::glGenRenderbuffers(cx, n, renderbuffers) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenTextures(n: i32, textures: *mut u32) {
@@ -946,11 +946,11 @@ pub unsafe extern "C" fn glGenTexturesEXT(n: i32, textures: *mut u32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenerateMipmap(target: u32) {
-    enter("glGenerateMipmap", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGenerateMipmap", &SAID) })
+    enter("glGenerateMipmap", |cx| cx.generate_mipmap(target))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGenerateMipmapEXT(target: u32) {
-    enter("glGenerateMipmapEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGenerateMipmapEXT", &SAID) })
+    enter("glGenerateMipmapEXT", |cx| cx.generate_mipmap(target))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetActiveAttrib(program: u32, index: u32, bufSize: i32, length: *mut i32, size: *mut i32, type_: *mut u32, name: *mut c_char) {
@@ -1062,11 +1062,11 @@ pub unsafe extern "C" fn glGetFloatv(pname: u32, data: *mut f32) {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetFramebufferAttachmentParameteriv(target: u32, attachment: u32, pname: u32, params: *mut i32) {
-    enter("glGetFramebufferAttachmentParameteriv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetFramebufferAttachmentParameteriv", &SAID) })
+    enter("glGetFramebufferAttachmentParameteriv", |cx| unsafe { commands::framebuffers::glGetFramebufferAttachmentParameteriv(cx, target, attachment, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetFramebufferAttachmentParameterivEXT(target: u32, attachment: u32, pname: u32, params: *mut i32) {
-    enter("glGetFramebufferAttachmentParameterivEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetFramebufferAttachmentParameterivEXT", &SAID) })
+    enter("glGetFramebufferAttachmentParameterivEXT", |cx| unsafe { commands::framebuffers::glGetFramebufferAttachmentParameteriv(cx, target, attachment, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetHandleARB(pname: u32) -> u32 {
@@ -1222,11 +1222,11 @@ pub unsafe extern "C" fn glGetQueryivARB(target: u32, pname: u32, params: *mut i
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetRenderbufferParameteriv(target: u32, pname: u32, params: *mut i32) {
-    enter("glGetRenderbufferParameteriv", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetRenderbufferParameteriv", &SAID) })
+    enter("glGetRenderbufferParameteriv", |cx| unsafe { commands::framebuffers::glGetRenderbufferParameteriv(cx, target, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetRenderbufferParameterivEXT(target: u32, pname: u32, params: *mut i32) {
-    enter("glGetRenderbufferParameterivEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glGetRenderbufferParameterivEXT", &SAID) })
+    enter("glGetRenderbufferParameterivEXT", |cx| unsafe { commands::framebuffers::glGetRenderbufferParameteriv(cx, target, pname, params) })
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glGetSeparableFilter(target: u32, format: u32, type_: u32, row: *mut c_void, column: *mut c_void, span: *mut c_void) {
@@ -1430,11 +1430,11 @@ pub unsafe extern "C" fn glIsEnabled(cap: u32) -> u8 {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIsFramebuffer(framebuffer: u32) -> u8 {
-    enter("glIsFramebuffer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIsFramebuffer", &SAID) })
+    enter("glIsFramebuffer", |cx| cx.is_framebuffer(framebuffer) as u8)
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIsFramebufferEXT(framebuffer: u32) -> u8 {
-    enter("glIsFramebufferEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIsFramebufferEXT", &SAID) })
+    enter("glIsFramebufferEXT", |cx| cx.is_framebuffer(framebuffer) as u8)
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIsList(list: u32) -> u8 {
@@ -1458,11 +1458,11 @@ pub unsafe extern "C" fn glIsQueryARB(id: u32) -> u8 {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIsRenderbuffer(renderbuffer: u32) -> u8 {
-    enter("glIsRenderbuffer", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIsRenderbuffer", &SAID) })
+    enter("glIsRenderbuffer", |cx| cx.is_renderbuffer(renderbuffer) as u8)
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIsRenderbufferEXT(renderbuffer: u32) -> u8 {
-    enter("glIsRenderbufferEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glIsRenderbufferEXT", &SAID) })
+    enter("glIsRenderbufferEXT", |cx| cx.is_renderbuffer(renderbuffer) as u8)
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glIsShader(shader: u32) -> u8 {
@@ -2298,19 +2298,19 @@ pub unsafe extern "C" fn glRenderMode(mode: u32) -> i32 {
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRenderbufferStorage(target: u32, internalformat: u32, width: i32, height: i32) {
-    enter("glRenderbufferStorage", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRenderbufferStorage", &SAID) })
+    enter("glRenderbufferStorage", |cx| cx.renderbuffer_storage(target, internalformat, width, height))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRenderbufferStorageEXT(target: u32, internalformat: u32, width: i32, height: i32) {
-    enter("glRenderbufferStorageEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRenderbufferStorageEXT", &SAID) })
+    enter("glRenderbufferStorageEXT", |cx| cx.renderbuffer_storage(target, internalformat, width, height))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRenderbufferStorageMultisample(target: u32, samples: i32, internalformat: u32, width: i32, height: i32) {
-    enter("glRenderbufferStorageMultisample", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRenderbufferStorageMultisample", &SAID) })
+    enter("glRenderbufferStorageMultisample", |cx| cx.renderbuffer_storage_multisample(target, samples, internalformat, width, height))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glRenderbufferStorageMultisampleEXT(target: u32, samples: i32, internalformat: u32, width: i32, height: i32) {
-    enter("glRenderbufferStorageMultisampleEXT", |cx| { static SAID: AtomicBool = AtomicBool::new(false); not_built(cx, "glRenderbufferStorageMultisampleEXT", &SAID) })
+    enter("glRenderbufferStorageMultisampleEXT", |cx| cx.renderbuffer_storage_multisample(target, samples, internalformat, width, height))
 }
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glResetHistogram(target: u32) {

@@ -155,6 +155,9 @@ impl Context {
         if self.lists.builder.is_some() || self.render_mode != GL_RENDER {
             return self.draw_gathered(mode, part, elements, indices, indexed);
         }
+        if !self.can_draw("drawing") {
+            return;
+        }
         if self.recorder.is_full() {
             self.flush_batch();
         }

@@ -36,6 +36,9 @@ pub(crate) struct Derived {
 impl Context {
     /// Computes what a draw of this topology sees and tells the recorder.
     pub(super) fn derive_state(&mut self, topology: u32) {
+        if self.dirty & dirty::TEXTURE != 0 {
+            self.settle_sampled_textures();
+        }
         let mut d = std::mem::take(&mut self.derived);
         let everything = self.render_mode != GL_RENDER || self.shading_on_host;
         // Only the vertex key depends on these two.

@@ -1,0 +1,268 @@
+//! The pixel work of glBlitFramebuffer: rectangles of one view copied to another, flipped, scaled, resolved.
+
+use crate::device::{ColorFormat, samples};
+
+/// Rows of words, sample by sample: sample s of pixel (x, y) begins at `((s * height + y) * width + x) * words`.
+pub(crate) struct View<T> {
+    pub width: usize,
+    pub height: usize,
+    pub samples: usize,
+    /// Words of a sample.
+    pub words: usize,
+    pub rows: T,
+}
+
+impl<T> View<T> {
+    fn index(&self, sample: usize, x: usize, y: usize) -> usize {
+        ((sample * self.height + y) * self.width + x) * self.words
+    }
+}
+
+/// Two corners as glBlitFramebuffer takes them: x0, y0, x1, y1.
+pub(crate) type Corners = [i32; 4];
+
+/// What happens to the samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Work {
+    /// Colours of this format: filtered, averaged.
+    Color { from: ColorFormat, to: ColorFormat, linear: bool },
+    /// Words, of which the bits of the mask are copied as they are.
+    Words { mask: u32 },
+}
+
+/// The source coordinate at the centre of a pixel, along one axis; outside of the source nothing is copied.
+struct Axis {
+    first: i32,
+    end: i32,
+    /// `source = offset + (pixel + 1/2) * scale`
+    offset: f64,
+    scale: f64,
+}
+
+impl Axis {
+    /// The pixels from `to[0]` to `to[1]` (in either order) that lie in `clip`, and where they come from.
+    fn new(from: [i32; 2], to: [i32; 2], clip: [i32; 2]) -> Axis {
+        let (low, high) = (to[0].min(to[1]), to[0].max(to[1]));
+        let scale = (f64::from(from[1]) - f64::from(from[0])) / (f64::from(to[1]) - f64::from(to[0]));
+        let offset = f64::from(from[0]) - f64::from(to[0]) * scale;
+        let (first, end) = (low.max(clip[0]), high.min(clip[1]));
+        Axis { first, end: end.max(first), offset, scale }
+    }
+
+    fn source(&self, pixel: i32) -> f64 {
+        self.offset + (f64::from(pixel) + 0.5) * self.scale
+    }
+
+    /// Pixels whose source lies within `size`, with the source's index for each.
+    fn nearest(&self, size: usize) -> Vec<(usize, usize)> {
+        let inside = |pixel: i32| {
+            let at = self.source(pixel).floor();
+            (at >= 0.0 && at < size as f64).then_some((pixel as usize, at as usize))
+        };
+        (self.first..self.end).filter_map(inside).collect()
+    }
+
+    /// The same for linear filtering: two indices, clamped to the source, and the weight of the second.
+    fn linear(&self, size: usize) -> Vec<(usize, [usize; 2], f32)> {
+        let inside = |pixel: i32| {
+            let at = self.source(pixel);
+            if !(at >= 0.0 && at < size as f64) {
+                return None;
+            }
+            let (at, last) = (at - 0.5, size as f64 - 1.0);
+            let indices = [at.floor(), at.floor() + 1.0].map(|i| i.clamp(0.0, last) as usize);
+            Some((pixel as usize, indices, (at - at.floor()) as f32))
+        };
+        (self.first..self.end).filter_map(inside).collect()
+    }
+}
+
+/// Copies `from`'s rectangle to `to`'s. `clip`: the columns and rows of the destination that may change (x0, y0, x1, y1), inside of
+/// it; `mask`: the colour components that do (bits 0 to 3: RGBA). With several samples on both sides samples are copied one by one;
+/// with several in the source alone a colour becomes their mean, anything else the first.
+pub(crate) fn blit(from: &View<&[u32]>, to: &mut View<&mut [u32]>, source: Corners, target: Corners, clip: Corners, work: Work, mask: u32) {
+    let [x, y] = [0, 1].map(|k| Axis::new([source[k], source[k + 2]], [target[k], target[k + 2]], [clip[k], clip[k + 2]]));
+    if source[0] == source[2] || source[1] == source[3] || target[0] == target[2] || target[1] == target[3] {
+        return;
+    }
+    match work {
+        Work::Color { from: format, to: format_to, linear: true } if from.samples == 1 => {
+            let columns = x.linear(from.width);
+            for (row, [y0, y1], t) in y.linear(from.height) {
+                for &(column, [x0, x1], s) in &columns {
+                    let read = |x, y| read(format, &from.rows[from.index(0, x, y)..]);
+                    let mix = |a: [f32; 4], b: [f32; 4], t: f32| -> [f32; 4] { std::array::from_fn(|k| a[k] + (b[k] - a[k]) * t) };
+                    let color = mix(mix(read(x0, y0), read(x1, y0), s), mix(read(x0, y1), read(x1, y1), s), t);
+                    for sample in 0..to.samples {
+                        let at = to.index(sample, column, row);
+                        write(format_to, &mut to.rows[at..], color, mask);
+                    }
+                }
+            }
+        }
+        _ => {
+            let columns = x.nearest(from.width);
+            let mut mean = vec![0; from.words];
+            for (row, from_row) in y.nearest(from.height) {
+                for &(column, from_column) in &columns {
+                    let resolves = from.samples > 1 && to.samples == 1 && matches!(work, Work::Color { .. });
+                    if let (true, Work::Color { from: format, .. }) = (resolves, work) {
+                        let all: Vec<&[u32]> = (0..from.samples).map(|s| &from.rows[from.index(s, from_column, from_row)..]).collect();
+                        samples::mean(format, &all, &mut mean);
+                    }
+                    for sample in 0..to.samples {
+                        let other = if from.samples > 1 { sample } else { 0 };
+                        let pixel = if resolves { &mean[..] } else { &from.rows[from.index(other, from_column, from_row)..] };
+                        let at = to.index(sample, column, row);
+                        copy(pixel, &mut to.rows[at..], work, mask);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// One sample.
+fn copy(from: &[u32], to: &mut [u32], work: Work, mask: u32) {
+    match work {
+        Work::Words { mask } => to[0] = to[0] & !mask | from[0] & mask,
+        Work::Color { from: a, to: b, .. } if a == b && mask == 15 => to[..a.words()].copy_from_slice(&from[..a.words()]),
+        Work::Color { from: a, to: b, .. } => write(b, to, read(a, from), mask),
+    }
+}
+
+/// A colour as components in [0, 1].
+fn read(format: ColorFormat, pixel: &[u32]) -> [f32; 4] {
+    let part = |word: u32, shift: u32, bits: u32| (word >> shift & ((1 << bits) - 1)) as f32 / ((1u32 << bits) - 1) as f32;
+    match format {
+        ColorFormat::Rgba8 => [0, 8, 16, 24].map(|shift| part(pixel[0], shift, 8)),
+        ColorFormat::Rgbx8 => [part(pixel[0], 0, 8), part(pixel[0], 8, 8), part(pixel[0], 16, 8), 1.0],
+        ColorFormat::Rgb565 => [part(pixel[0], 0, 5), part(pixel[0], 5, 6), part(pixel[0], 11, 5), 1.0],
+        ColorFormat::Rgba16 => [part(pixel[0], 0, 16), part(pixel[0], 16, 16), part(pixel[1], 0, 16), part(pixel[1], 16, 16)],
+        ColorFormat::Rgba32f => [0, 1, 2, 3].map(|k| f32::from_bits(pixel[k])),
+    }
+}
+
+/// Writes the components of a mask, rounded to nearest.
+fn write(format: ColorFormat, pixel: &mut [u32], color: [f32; 4], mask: u32) {
+    let mut put = |word: usize, shift: u32, bits: u32, component: usize| {
+        if mask >> component & 1 != 0 {
+            let max = ((1u32 << bits) - 1) as f32;
+            let new = (color[component].clamp(0.0, 1.0) * max).round_ties_even() as u32;
+            pixel[word] = pixel[word] & !(((1 << bits) - 1) << shift) | new << shift;
+        }
+    };
+    match format {
+        ColorFormat::Rgba8 | ColorFormat::Rgbx8 => (0..4).for_each(|k| put(0, 8 * k as u32, 8, k)),
+        ColorFormat::Rgb565 => [(0, 5), (5, 6), (11, 5)].into_iter().enumerate().for_each(|(k, (shift, bits))| put(0, shift, bits, k)),
+        ColorFormat::Rgba16 => (0..4).for_each(|k| put(k / 2, 16 * (k as u32 & 1), 16, k)),
+        ColorFormat::Rgba32f => (0..4).filter(|k| mask >> k & 1 != 0).for_each(|k| pixel[k] = color[k].to_bits()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NEAREST: Work = Work::Color { from: ColorFormat::Rgba8, to: ColorFormat::Rgba8, linear: false };
+    const LINEAR: Work = Work::Color { from: ColorFormat::Rgba8, to: ColorFormat::Rgba8, linear: true };
+
+    /// Blits a source of so many columns into zeros, and returns those.
+    fn run(from: &[u32], width: usize, source: Corners, size: [usize; 2], target: Corners, clip: Option<Corners>, work: Work) -> Vec<u32> {
+        let mut out = vec![0; size[0] * size[1]];
+        let from = View { width, height: from.len() / width, samples: 1, words: 1, rows: from };
+        let mut to = View { width: size[0], height: size[1], samples: 1, words: 1, rows: &mut out[..] };
+        let clip = clip.unwrap_or([0, 0, size[0] as i32, size[1] as i32]);
+        blit(&from, &mut to, source, target, clip, work, 15);
+        out
+    }
+
+    #[test]
+    fn equal_rectangles_are_copied() {
+        assert_eq!(run(&[1, 2, 3, 4], 2, [0, 0, 2, 2], [3, 2], [1, 0, 3, 2], None, NEAREST), [0, 1, 2, 0, 3, 4]);
+    }
+
+    #[test]
+    fn either_rectangle_may_be_flipped_on_either_axis() {
+        let from = [1, 2, 3, 4];
+        assert_eq!(run(&from, 2, [2, 0, 0, 2], [2, 2], [0, 0, 2, 2], None, NEAREST), [2, 1, 4, 3]);
+        assert_eq!(run(&from, 2, [0, 0, 2, 2], [2, 2], [0, 2, 2, 0], None, NEAREST), [3, 4, 1, 2]);
+        assert_eq!(run(&from, 2, [2, 2, 0, 0], [2, 2], [2, 2, 0, 0], None, NEAREST), from);
+    }
+
+    #[test]
+    fn nearest_repeats_and_drops() {
+        assert_eq!(run(&[1, 2], 2, [0, 0, 2, 1], [4, 1], [0, 0, 4, 1], None, NEAREST), [1, 1, 2, 2]);
+        assert_eq!(run(&[1, 2, 3, 4], 4, [0, 0, 4, 1], [2, 1], [0, 0, 2, 1], None, NEAREST), [2, 4]);
+        assert_eq!(run(&[1, 2, 3, 4], 4, [4, 0, 0, 1], [2, 1], [0, 0, 2, 1], None, NEAREST), [4, 2]);
+    }
+
+    #[test]
+    fn what_lies_outside_of_the_source_is_not_written() {
+        assert_eq!(run(&[1, 2], 2, [-1, 0, 3, 1], [4, 1], [0, 0, 4, 1], None, NEAREST), [0, 1, 2, 0]);
+        // With scaling, the pixels inside come from where they would come from anyway.
+        assert_eq!(run(&[1, 2], 2, [-2, 0, 2, 1], [8, 1], [0, 0, 8, 1], None, NEAREST), [0, 0, 0, 0, 1, 1, 2, 2]);
+        assert_eq!(run(&[1, 2], 2, [5, 0, 9, 1], [4, 1], [0, 0, 4, 1], None, NEAREST), [0; 4]);
+    }
+
+    #[test]
+    fn the_clip_cuts_and_does_not_move() {
+        assert_eq!(run(&[1, 2, 3, 4], 4, [0, 0, 4, 1], [4, 1], [0, 0, 4, 1], Some([1, 0, 3, 1]), NEAREST), [0, 2, 3, 0]);
+        assert_eq!(run(&[1, 2, 3, 4], 4, [0, 0, 4, 1], [2, 1], [-2, 0, 2, 1], None, NEAREST), [3, 4]);
+        let far = [i32::MIN, i32::MIN, i32::MAX, i32::MAX];
+        assert_eq!(run(&[1, 2, 3, 4], 2, far, [2, 2], far, None, NEAREST), [1, 2, 3, 4]);
+    }
+
+    #[test]
+    fn linear_filters_between_centres_and_clamps_at_the_edge() {
+        assert_eq!(run(&[0, 200], 2, [0, 0, 2, 1], [4, 1], [0, 0, 4, 1], None, LINEAR), [0, 50, 150, 200]);
+        assert_eq!(run(&[0, 100, 200, 100], 2, [0, 0, 2, 2], [1, 1], [0, 0, 1, 1], None, LINEAR), [100]);
+    }
+
+    #[test]
+    fn empty_rectangles_do_nothing() {
+        assert_eq!(run(&[1], 1, [0, 0, 0, 1], [1, 1], [0, 0, 1, 1], None, NEAREST), [0]);
+        assert_eq!(run(&[1], 1, [0, 0, 1, 1], [1, 1], [1, 0, 1, 1], None, LINEAR), [0]);
+    }
+
+    fn samples(from: &[u32], from_samples: usize, to_samples: usize, work: Work) -> Vec<u32> {
+        let pixels = from.len() / from_samples;
+        let mut out = vec![0; pixels * to_samples];
+        let from = View { width: pixels, height: 1, samples: from_samples, words: 1, rows: from };
+        let mut to = View { width: pixels, height: 1, samples: to_samples, words: 1, rows: &mut out[..] };
+        let all = [0, 0, pixels as i32, 1];
+        blit(&from, &mut to, all, all, all, work, 15);
+        out
+    }
+
+    #[test]
+    fn samples_resolve_to_their_mean_or_the_first() {
+        // Two pixels of four samples.
+        let from = [10, 1, 20, 1, 30, 1, 41, 1];
+        assert_eq!(samples(&from, 4, 1, NEAREST), [25, 1]);
+        assert_eq!(samples(&from, 4, 1, LINEAR), [25, 1]);
+        assert_eq!(samples(&from, 4, 1, Work::Words { mask: !0 }), [10, 1]);
+    }
+
+    #[test]
+    fn samples_are_copied_one_by_one_and_single_ones_spread() {
+        assert_eq!(samples(&[1, 2, 3, 4], 2, 2, NEAREST), [1, 2, 3, 4]);
+        assert_eq!(samples(&[1, 2], 1, 2, NEAREST), [1, 2, 1, 2]);
+    }
+
+    #[test]
+    fn depth_and_stencil_are_parts_of_a_word() {
+        assert_eq!(samples(&[0x1234_5678], 1, 1, Work::Words { mask: 0xff_ffff }), [0x34_5678]);
+        assert_eq!(samples(&[0x1234_5678], 1, 1, Work::Words { mask: 0xff00_0000 }), [0x1200_0000]);
+    }
+
+    #[test]
+    fn formats_are_converted_and_masked() {
+        let mut out = [0, 0xffff_0000];
+        let from = View { width: 1, height: 1, samples: 1, words: 1, rows: &[0x8040_20ff][..] };
+        let mut to = View { width: 1, height: 1, samples: 1, words: 2, rows: &mut out[..] };
+        let work = Work::Color { from: ColorFormat::Rgba8, to: ColorFormat::Rgba16, linear: false };
+        blit(&from, &mut to, [0, 0, 1, 1], [0, 0, 1, 1], [0, 0, 1, 1], work, 0b0111);
+        assert_eq!(out, [0x2020_ffff, 0xffff_4040]);
+    }
+}
