@@ -43,3 +43,8 @@ fn another_gl_in_the_process_is_never_called() {
 fn a_program_may_load_and_unload_the_library() {
     run("unload", &["-Wl,--as-needed", "-ldl"]);
 }
+
+#[test]
+fn a_window_with_samples_is_resolved_for_its_program() {
+    run("multisample", &[]);
+}
