@@ -11,7 +11,7 @@ use crate::device::{Device, SharedPlane, plane, samples};
 /// GL_MAX_RENDERBUFFER_SIZE
 pub const MAX_RENDERBUFFER_SIZE: i32 = 16384;
 /// Most bytes of one renderbuffer; larger ones are refused with GL_OUT_OF_MEMORY.
-const MAX_BYTES: u64 = 4 << 30;
+const MAX_BYTES: u64 = 1 << 30;
 
 /// What glRenderbufferStorage asked for.
 #[derive(Clone)]

@@ -93,11 +93,8 @@ impl Context {
             _ if AttachmentPoint::from_enum(attachment).is_ok() => return Err(GL_INVALID_OPERATION),
             _ => return Err(GL_INVALID_ENUM),
         };
-        let mask = match attachment {
-            GL_DEPTH => 1 << 4,
-            GL_STENCIL => 1 << 5,
-            _ => 0b1111,
-        };
+        // Depth and stencil are one image.
+        let mask = if matches!(attachment, GL_DEPTH | GL_STENCIL) { 0b110000 } else { 0b1111 };
         let value = match pname {
             GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE => {
                 if there {
