@@ -40,8 +40,8 @@ impl Context {
         }
         let Some(kind) = kind_of(target) else { return self.set_error(GL_INVALID_ENUM, "glGenerateMipmap: target") };
         self.settle_texture(kind);
-        if !self.with_texture(kind, |object| object.is_cube_complete()) {
-            return self.set_error(GL_INVALID_OPERATION, "glGenerateMipmap of a cube map whose faces differ");
+        if !self.with_texture(kind, |object| object.has_base()) {
+            return self.set_error(GL_INVALID_OPERATION, "glGenerateMipmap without a base level, or of a cube map whose faces differ");
         }
         if self.fbo.draw != 0 {
             // A smaller level may be attached.

@@ -91,7 +91,10 @@ impl InternalFormat {
     pub fn store(self, groups: Groups) -> Vec<u32> {
         match (groups, self.texels()) {
             (Groups::Depth(depths), _) => depths.into_iter().map(|d| quantize_depth(d, self.depth_max())).collect(),
-            (Groups::DepthStencil(words), _) => words,
+            (Groups::DepthStencil(words), _) if self.base == GL_DEPTH_STENCIL => words,
+            (Groups::DepthStencil(words), _) => {
+                words.into_iter().map(|w| quantize_depth(f64::from(w & 0xff_ffff) / 16777215.0, self.depth_max())).collect()
+            }
             (Groups::Rgba8(pixels), TexelFormat::Rgba8) => self.store_rgba8(pixels),
             (Groups::Rgba(pixels), TexelFormat::Rgba8) => self.store_rgba8(pixels.iter().map(|p| to_rgba8(*p)).collect()),
             (Groups::Rgba8(pixels), TexelFormat::Rgba32f) => {

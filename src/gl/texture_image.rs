@@ -101,7 +101,7 @@ impl ImageSpec {
             return Err(GL_INVALID_VALUE);
         }
         let format = InternalFormat::from_enum(internal_format).ok_or(GL_INVALID_VALUE)?;
-        if format.is_depth() && matches!(target.kind, TextureKind::D3 | TextureKind::Cube) {
+        if format.is_depth() && target.kind == TextureKind::D3 {
             return Err(GL_INVALID_OPERATION);
         }
         Ok(ImageSpec { target, level: level as usize, internal_format, format, size, border })
@@ -176,11 +176,10 @@ fn check_texture_format(format: GLenum, ty: GLenum) -> Result<(), GLenum> {
     check(format, ty)
 }
 
-/// Depths go to and from depth textures, depths with stencils to and from those that have both, colours to and from the others
-/// (ARB_depth_texture, EXT_packed_depth_stencil).
+/// Depths, with stencils or without, go to and from depth textures, colours to and from the others (ARB_depth_texture).
 fn check_base_format(format: GLenum, base: GLenum) -> Result<(), GLenum> {
-    let kind = |format| if matches!(format, GL_DEPTH_COMPONENT | GL_DEPTH_STENCIL) { format } else { GL_COLOR };
-    if kind(format) == kind(base) { Ok(()) } else { Err(GL_INVALID_OPERATION) }
+    let is_depth = |format| matches!(format, GL_DEPTH_COMPONENT | GL_DEPTH_STENCIL);
+    if is_depth(format) == is_depth(base) { Ok(()) } else { Err(GL_INVALID_OPERATION) }
 }
 
 /// The checks of glTexImage but for the sizes that are not supported.
@@ -501,12 +500,11 @@ impl Context {
         if matches!(format, GL_STENCIL_INDEX | GL_COLOR_INDEX) {
             return self.set_error(GL_INVALID_ENUM, "glGetTexImage");
         }
-        // A depth texture with stencil gives its depths alone as well.
-        let base = match (format, self.base_format_of(image_target, level)) {
-            (GL_DEPTH_COMPONENT, GL_DEPTH_STENCIL) => GL_DEPTH_COMPONENT,
-            (_, base) => base,
-        };
-        if let Err(error) = check_texture_format(format, ty).and_then(|()| check_base_format(format, base)) {
+        let base = self.base_format_of(image_target, level);
+        let checked = check_texture_format(format, ty).and_then(|()| check_base_format(format, base));
+        // A depth texture with stencil gives its depths alone as well; one without has no stencils to give.
+        let missing = format == GL_DEPTH_STENCIL && base != GL_DEPTH_STENCIL;
+        if let Err(error) = checked.and(if missing { Err(GL_INVALID_OPERATION) } else { Ok(()) }) {
             return self.set_error(error, "glGetTexImage");
         }
         let Some(out) = out else { return };

@@ -141,9 +141,9 @@ impl TextureObject {
         Some(base)
     }
 
-    /// False for a cube map whose faces do not go together.
-    pub(crate) fn is_cube_complete(&self) -> bool {
-        self.kind != TextureKind::Cube || self.base().is_some()
+    /// The base level is there, and the faces of a cube map go together.
+    pub(crate) fn has_base(&self) -> bool {
+        self.base().is_some()
     }
 
     /// The texels of a level of all faces, face after face.

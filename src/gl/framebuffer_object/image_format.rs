@@ -2,6 +2,7 @@
 
 use crate::device::{ColorFormat, DepthFormat, PlaneFormat};
 use crate::gl::enums::*;
+use crate::gl::pixel_format::Groups;
 use crate::gl::texture_format::InternalFormat;
 
 /// The format of a renderbuffer or of a level of a texture, as a framebuffer sees it.
@@ -14,15 +15,18 @@ pub(crate) struct ImageFormat {
     pub plane: PlaneFormat,
     /// Bits of red, green, blue, alpha, depth and stencil.
     pub bits: [u8; 6],
+    /// What reads of a colour keep: a plane may have more.
+    kept: InternalFormat,
 }
 
 const fn depth_stencil(base: GLenum, depth: DepthFormat, depth_bits: u8, stencil: bool) -> ImageFormat {
     let bits = [0, 0, 0, 0, depth_bits, if stencil { 8 } else { 0 }];
-    ImageFormat { base, plane: PlaneFormat::DepthStencil { depth, stencil }, bits }
+    let kept = InternalFormat { base, bits: [depth_bits, bits[5], 0, 0] };
+    ImageFormat { base, plane: PlaneFormat::DepthStencil { depth, stencil }, bits, kept }
 }
 
 impl ImageFormat {
-    /// Of a renderbuffer; `None` for what cannot be rendered to. All colours have 8 or 16 bits, all depths 16 or 24, all stencils 8.
+    /// Of a renderbuffer; `None` for what cannot be rendered to. All depths have 16 or 24 bits, all stencils 8.
     pub fn of_renderbuffer(internal_format: GLenum) -> Option<ImageFormat> {
         Some(match internal_format {
             GL_STENCIL_INDEX | GL_STENCIL_INDEX1 | GL_STENCIL_INDEX4 | GL_STENCIL_INDEX8 | GL_STENCIL_INDEX16 => {
@@ -30,15 +34,7 @@ impl ImageFormat {
             }
             // The numbers 1 to 4 and the compressed formats are for textures alone.
             1..=4 | GL_COMPRESSED_ALPHA..=GL_COMPRESSED_RGBA => return None,
-            _ => {
-                let format = InternalFormat::from_enum(internal_format)?;
-                let mut image = ImageFormat::of_texture(format);
-                if let PlaneFormat::Color(color) = image.plane {
-                    let bits = if color == ColorFormat::Rgba16 { 16 } else { 8 };
-                    image.bits = image.bits.map(|b| if b > 0 { bits } else { 0 });
-                }
-                image
-            }
+            _ => ImageFormat::of_texture(InternalFormat::from_enum(internal_format)?),
         })
     }
 
@@ -51,7 +47,21 @@ impl ImageFormat {
         let size = |component| format.size_of(component) as u8;
         let color = if format.bits.iter().any(|&b| b > 8) { ColorFormat::Rgba16 } else { ColorFormat::Rgba8 };
         let bits = [size(GL_TEXTURE_RED_SIZE), size(GL_TEXTURE_GREEN_SIZE), size(GL_TEXTURE_BLUE_SIZE), size(GL_TEXTURE_ALPHA_SIZE), 0, 0];
-        ImageFormat { base: format.base, plane: PlaneFormat::Color(color), bits }
+        ImageFormat { base: format.base, plane: PlaneFormat::Color(color), bits, kept: format }
+    }
+
+    /// Colours as a read sees them: with the bits that the format keeps, luminance and intensity in red alone (table 6.1).
+    pub fn read(self, groups: Groups) -> Groups {
+        let all_kept = self.kept.bits.iter().all(|&b| b == 8 || b == 16);
+        if all_kept && matches!(self.base, GL_RGBA | GL_RGB | GL_ALPHA) { groups } else { self.kept.read(&self.kept.store(groups)) }
+    }
+
+    /// Words of an Rgba8 plane, whatever was written to the components that the format lacks.
+    pub fn expand(self, rows: Vec<u32>) -> Vec<u32> {
+        match self.base {
+            GL_LUMINANCE | GL_LUMINANCE_ALPHA | GL_INTENSITY => self.kept.store(Groups::Rgba8(rows)),
+            _ => rows,
+        }
     }
 
     pub fn is_color(self) -> bool {

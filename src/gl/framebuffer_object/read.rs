@@ -1,13 +1,12 @@
 //! Where reads come from: the window, or an image of the bound framebuffer object.
 
 use super::target::pixels_of;
-use super::{Attachment, Framebuffer};
+use super::{Attachment, Framebuffer, ImageFormat};
 use crate::device::{ColorFormat, DepthFormat, Pixels, PlaneFormat};
 use crate::gl::Context;
 use crate::gl::enums::*;
 use crate::gl::framebuffer::{Rect, bounds, read_color};
 use crate::gl::pixel_format::Groups;
-use crate::gl::texture_format::InternalFormat;
 
 /// Colour, depth or stencil.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,12 +51,16 @@ impl Context {
 
     /// The part of a rectangle that can be read, and its colours before transfer. `None` without a buffer.
     pub(crate) fn read_colors(&mut self, rect: Rect) -> Option<(Rect, Groups)> {
-        let base = self.read_base_format();
+        let format = self.read_format();
         let (inside, groups) = self.look_at_pixels(Aspect::Color, |pixels| {
             let inside = rect.and(bounds(pixels));
             (inside, read_color(pixels, inside))
         })?;
-        Some((inside, as_base(base, groups)))
+        let groups = match format {
+            Some(format) => format.read(groups),
+            None => groups,
+        };
+        Some((inside, groups))
     }
 
     /// GL_SAMPLES of what is read from.
@@ -88,16 +91,16 @@ impl Context {
 
     /// Words of the colours that are read, whatever was written to the components that their format lacks.
     pub(crate) fn expand_colors(&self, color: ColorFormat, rows: Vec<u32>) -> Vec<u32> {
-        match as_base(self.read_base_format(), Groups::Rgba8(if color == ColorFormat::Rgba8 { rows } else { return rows })) {
-            Groups::Rgba8(rows) => rows,
-            _ => Vec::new(),
+        match self.read_format() {
+            Some(format) if color == ColorFormat::Rgba8 => format.expand(rows),
+            _ => rows,
         }
     }
 
-    /// The base format of the colours that are read.
-    fn read_base_format(&self) -> GLenum {
-        let source = self.fbo.get(self.fbo.read).and_then(|f| f.source(Aspect::Color));
-        source.and_then(|a| self.attached_image(a)).map_or(GL_RGBA, |image| image.format.base)
+    /// The format of the colours that are read; `None` for the window's.
+    fn read_format(&self) -> Option<ImageFormat> {
+        let source = self.fbo.get(self.fbo.read)?.source(Aspect::Color)?;
+        Some(self.attached_image(source)?.format)
     }
 
     /// The error of reading this kind of pixels (4.3.2): from an incomplete framebuffer, from one with several samples a pixel, from
@@ -116,18 +119,5 @@ impl Context {
         };
         // The window's samples are resolved for whoever reads it.
         if there && (self.fbo.read == 0 || self.read_samples() == 0) { Ok(()) } else { Err(GL_INVALID_OPERATION) }
-    }
-}
-
-/// Colours as a buffer of a base format has them, whatever was written to the components that it lacks.
-fn as_base(base: GLenum, groups: Groups) -> Groups {
-    if !matches!(base, GL_LUMINANCE | GL_LUMINANCE_ALPHA | GL_INTENSITY) {
-        return groups;
-    }
-    let format = InternalFormat { base, bits: [8; 4] };
-    match groups {
-        Groups::Rgba8(_) => Groups::Rgba8(format.store(groups)),
-        Groups::Rgba(pixels) => Groups::Rgba(pixels.into_iter().map(|p| format.expand(p)).collect()),
-        other => other,
     }
 }

@@ -197,10 +197,14 @@ fn formats_keep_what_they_keep() {
         (GL_RGBA16, [51, 102, 153, 204], [51, 102, 153, 204]),
         (GL_RGB16, [51, 102, 153, 255], [51, 102, 153, 255]),
         (GL_ALPHA8, [0, 0, 0, 204], [0, 0, 0, 204]),
-        // glGetTexImage gives luminance in red alone.
-        (GL_LUMINANCE8, [51, 0, 0, 255], [51, 51, 51, 255]),
-        (GL_LUMINANCE8_ALPHA8, [51, 0, 0, 204], [51, 51, 51, 204]),
-        (GL_INTENSITY8, [51, 0, 0, 255], [51; 4]),
+        // Luminance is read in red alone.
+        (GL_LUMINANCE8, [51, 0, 0, 255], [51, 0, 0, 255]),
+        (GL_LUMINANCE8_ALPHA8, [51, 0, 0, 204], [51, 0, 0, 204]),
+        (GL_INTENSITY8, [51, 0, 0, 255], [51, 0, 0, 255]),
+        // As OSMesa's.
+        (GL_RGB5, [49, 99, 156, 255], [49, 99, 156, 255]),
+        (GL_R3_G3_B2, [36, 109, 170, 255], [36, 109, 170, 255]),
+        (GL_RGB10_A2, [51, 102, 153, 170], [51, 102, 153, 170]),
     ] {
         let name = texture(&mut cx, format, 1, 1);
         cx.framebuffer_texture_2d(FB, COLOR0, GL_TEXTURE_2D, name, 0);
@@ -317,4 +321,70 @@ fn samples_are_resolved_by_a_blit() {
     assert_eq!(pixels(&mut cx, 4, 1)[2], R);
     assert!(pixels(&mut cx, 4, 1)[3] == O || pixels(&mut cx, 4, 1)[3] == R);
     assert_eq!(cx.get_error(), GL_NO_ERROR);
+}
+
+#[test]
+fn depth_textures_are_drawn_to_sampled_and_read() {
+    let mut cx = context();
+    framebuffer(&mut cx);
+    attach(&mut cx, COLOR0, 0, GL_RGBA8, 2, 1);
+    let name = texture(&mut cx, GL_RGBA8, 2, 1);
+    for (format, bits, stencil) in [(GL_DEPTH_COMPONENT16, 16, 0), (GL_DEPTH_COMPONENT24, 24, 0), (GL_DEPTH24_STENCIL8, 24, 8)] {
+        let (client, ty) = if stencil > 0 { (GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8) } else { (GL_DEPTH_COMPONENT, GL_FLOAT) };
+        cx.tex_image_2d(GL_TEXTURE_2D, 0, format as i32, 2, 1, 0, client, ty, None);
+        assert_eq!(cx.get_tex_level_parameter(GL_TEXTURE_2D, 0, GL_TEXTURE_DEPTH_SIZE), Some(bits));
+        assert_eq!(cx.get_tex_level_parameter(GL_TEXTURE_2D, 0, GL_TEXTURE_STENCIL_SIZE), Some(stencil));
+        let point = if stencil > 0 { GL_DEPTH_STENCIL_ATTACHMENT } else { GL_DEPTH_ATTACHMENT };
+        cx.framebuffer_texture_2d(FB, point, GL_TEXTURE_2D, name, 0);
+        assert_eq!(status(&mut cx), GL_FRAMEBUFFER_COMPLETE);
+        cx.clear_depth(0.25);
+        cx.clear_stencil(9);
+        cx.clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+        let mut out = [0; 8];
+        cx.get_tex_image(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, Some(&mut out));
+        let depth = f32::from_ne_bytes([out[4], out[5], out[6], out[7]]);
+        assert!((depth - 0.25).abs() < 1e-4, "{depth}");
+        if stencil > 0 {
+            cx.get_tex_image(GL_TEXTURE_2D, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, Some(&mut out));
+            assert_eq!(out[0], 9);
+        }
+        cx.framebuffer_texture_2d(FB, point, GL_TEXTURE_2D, 0, 0);
+        cx.bind_framebuffer(FB, 0);
+        cx.enable(GL_TEXTURE_2D);
+        cx.tex_envf_replace();
+        cx.viewport(0, 0, 2, 1);
+        for (mode, color) in [(GL_LUMINANCE, [64, 64, 64, 255]), (GL_INTENSITY, [64; 4]), (GL_ALPHA, [255, 0, 0, 64])] {
+            cx.tex_parameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, mode as i32);
+            rectangle(&mut cx, [-1.0, -1.0, 1.0, 1.0], RED);
+            assert_eq!(pixels(&mut cx, 1, 1)[0], color, "{format:#x} {mode:#x}");
+        }
+        cx.disable(GL_TEXTURE_2D);
+        // Copied from the window.
+        cx.clear_depth(0.75);
+        cx.clear(GL_DEPTH_BUFFER_BIT);
+        cx.copy_tex_image_2d(GL_TEXTURE_2D, 0, format, 0, 0, 2, 1, 0);
+        cx.get_tex_image(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_BYTE, Some(&mut out));
+        assert_eq!((out[0], out[1]), (191, 191));
+        cx.bind_framebuffer(FB, 1);
+    }
+    assert_eq!(cx.get_error(), GL_NO_ERROR);
+}
+
+#[test]
+fn depth_with_stencil_is_read_and_drawn_as_one() {
+    let mut cx = context();
+    cx.clear_stencil(5);
+    cx.clear_depth(1.0);
+    cx.clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    let mut out = [0; 4];
+    let read = |cx: &mut Context, x, out: &mut [u8; 4]| {
+        cx.read_pixels(x, 0, 1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, Some(out));
+        u32::from_ne_bytes(*out)
+    };
+    assert_eq!(read(&mut cx, 0, &mut out), 0xffff_ff05);
+    cx.window_pos(1.0, 0.0, 0.0);
+    cx.draw_pixels(1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, Some(&0x1234_5678u32.to_ne_bytes()));
+    assert_eq!(read(&mut cx, 1, &mut out), 0x1234_5678);
+    assert_eq!(error_of(&mut cx, |c| c.read_pixels(0, 0, 1, 1, GL_DEPTH_STENCIL, GL_FLOAT, None)), GL_INVALID_ENUM);
+    assert_eq!(error_of(&mut cx, |c| c.read_pixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_INT_24_8, None)), GL_INVALID_OPERATION);
 }

@@ -231,6 +231,8 @@ fn status_and_mipmaps() {
             (|c| _ = c.check_framebuffer_status(RB), GL_INVALID_ENUM),
             (|c| c.generate_mipmap(GL_TEXTURE_CUBE_MAP_POSITIVE_X), GL_INVALID_ENUM),
             (|c| c.generate_mipmap(GL_TEXTURE_CUBE_MAP), GL_INVALID_OPERATION),
+            (|c| c.generate_mipmap(GL_TEXTURE_2D), GL_INVALID_OPERATION),
+            (|c| c.tex_image_2d(GL_TEXTURE_2D, 0, 4, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, None), GL_NO_ERROR),
             (|c| c.generate_mipmap(GL_TEXTURE_2D), GL_NO_ERROR),
         ],
     );
