@@ -87,7 +87,7 @@ impl Context {
             GL_COLOR_LOGIC_OP => (&mut s.color_buffer.color_logic_op, dirty::FRAGMENT),
             GL_DEPTH_TEST => (&mut s.depth.test, dirty::FRAGMENT),
             GL_STENCIL_TEST => (&mut s.stencil.test, dirty::FRAGMENT),
-            GL_MULTISAMPLE => (&mut s.multisample.enabled, dirty::FRAGMENT),
+            GL_MULTISAMPLE => (&mut s.multisample.enabled, dirty::FRAGMENT | dirty::RASTER),
             GL_SAMPLE_ALPHA_TO_COVERAGE => (&mut s.multisample.alpha_to_coverage, dirty::FRAGMENT),
             GL_SAMPLE_ALPHA_TO_ONE => (&mut s.multisample.alpha_to_one, dirty::FRAGMENT),
             GL_SAMPLE_COVERAGE => (&mut s.multisample.sample_coverage, dirty::FRAGMENT),
