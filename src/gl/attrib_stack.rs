@@ -271,7 +271,7 @@ impl Context {
             }
             Group::Multisample(saved) => {
                 s.multisample = saved;
-                dirty::FRAGMENT
+                dirty::FRAGMENT | dirty::RASTER
             }
         };
     }
