@@ -245,6 +245,8 @@ impl Context {
                 format.stencil = stencil.is_some();
             }
         }
+        // Where there is no image, there is no place to draw to.
+        let size = size.map(|n| if n == u32::MAX { 0 } else { n });
         let view = &mut self.fbo.view;
         (view.stale, view.complete, view.size, view.format) = (false, complete, size, format);
         (view.colors, view.depth) = (colors, depth_plane);
