@@ -14,7 +14,8 @@ use super::plane::{self, Storage};
 use super::{Device, Plane, PlaneFormat, SharedPlane, Surface, Target, cpu_stats, lines};
 use crate::draw::{Batch, Step, recycle};
 use crate::raster::fine::{Plan, Scene, Work, Worker, run_bin};
-use crate::raster::layout::{BIN_SIZE, raster_flags};
+use crate::raster::layout::BIN_SIZE;
+use crate::raster::runs;
 use crate::raster::setup::{Chunk, SetupInput};
 use crate::raster::simd::Level;
 use crate::raster::store::{self, Store};
@@ -217,21 +218,21 @@ fn resolve(from: &SharedPlane, to: &SharedPlane, pool: Option<&rayon::ThreadPool
 }
 
 /// Shades all vertices of a batch. Returns the first [`ScreenVertex`] of each draw.
-fn shade(batch: &Batch, scratch: &mut Scratch, pool: Option<&rayon::ThreadPool>) -> Vec<u32> {
+fn shade(batch: &Batch, scratch: &mut Scratch, level: Level, pool: Option<&rayon::ThreadPool>) -> Vec<u32> {
     let (bases, blocks) = vertex::blocks(batch, &mut scratch.shaded, &mut scratch.screen);
     match pool {
         Some(pool) if blocks.len() > 4 => pool.install(|| {
-            let shade = |block| VERTEX.with_borrow_mut(|w| w.block(batch, block));
+            let shade = |block| VERTEX.with_borrow_mut(|w| w.block(batch, block, level));
             blocks.into_par_iter().with_min_len(4).with_max_len(16).for_each(shade);
         }),
-        _ => VERTEX.with_borrow_mut(|w| blocks.into_iter().for_each(|block| w.block(batch, block))),
+        _ => VERTEX.with_borrow_mut(|w| blocks.into_iter().for_each(|block| w.block(batch, block, level))),
     }
     bases
 }
 
 /// Runs a batch on a target.
 fn run(batch: &Batch, target: &Target, scratch: &mut Scratch, level: Level, pool: Option<&rayon::ThreadPool>) {
-    let screen_base = shade(batch, scratch, pool);
+    let screen_base = shade(batch, scratch, level, pool);
     draw(batch, target, scratch, &screen_base, level, pool);
 }
 
@@ -241,41 +242,14 @@ fn draw(batch: &Batch, target: &Target, scratch: &mut Scratch, screen_base: &[u3
     // Enough runs for all threads to have work until the end.
     let threads = pool.map_or(1, |p| p.current_num_threads());
     let chunk = (batch.primitives.len() as u32 / (4 * threads as u32)).clamp(CHUNK[1], CHUNK[0]);
-    let runs: Vec<(usize, u32, u32)> = (batch.steps.iter().enumerate())
-        .flat_map(|(k, step)| {
-            let (first, end) = if let Step::Primitives { first, end } = *step { (first, end) } else { (0, 0) };
-            (first..end).step_by(chunk as usize).map(move |f| (k, f, (f + chunk).min(end)))
-        })
-        .collect();
-    if scratch.chunks.len() < runs.len() {
-        scratch.chunks.resize_with(runs.len(), Chunk::default);
-    }
-    let input = SetupInput { batch, shaded: &scratch.shaded, screen: &scratch.screen, screen_base, top_first: format.top_first };
+    let runs = runs::cut(batch, chunk);
+    let Scratch { shaded, screen, chunks, stipple_counter } = scratch;
+    let input = SetupInput { batch, shaded, screen, screen_base, top_first: format.top_first, level };
     let bins = target.size.map(|n| n.div_ceil(BIN_SIZE));
-    let chunks = &mut scratch.chunks[..runs.len()];
-    let set_up = |chunk: &mut Chunk, first: u32, end: u32| {
-        chunk.clear();
-        chunk.run(&input, first, end);
-        chunk.bins.run(&chunk.triangles, bins[0], bins[1]);
-    };
-    // The stipple counter runs on from line to line.
-    let stippled = batch.raster_states.iter().any(|s| s.flags & raster_flags::LINE_STIPPLE != 0);
+    let bin = |chunk: &mut Chunk| chunk.bins.run(&chunk.triangles, bins[0], bins[1]);
     match pool {
-        _ if stippled => {
-            let mut counter = scratch.stipple_counter;
-            for (chunk, &(_, first, end)) in chunks.iter_mut().zip(&runs) {
-                chunk.stipple_counter = counter;
-                set_up(chunk, first, end);
-                counter = chunk.stipple_counter;
-            }
-            scratch.stipple_counter = counter;
-        }
-        Some(pool) if runs.len() > 1 => {
-            pool.install(|| {
-                chunks.par_iter_mut().zip(&runs).with_max_len(1).for_each(|(chunk, &(_, first, end))| set_up(chunk, first, end))
-            });
-        }
-        _ => chunks.iter_mut().zip(&runs).for_each(|(chunk, &(_, first, end))| set_up(chunk, first, end)),
+        Some(pool) if runs.len() > 1 => pool.install(|| runs::set_up(&runs, chunks, &input, stipple_counter, true, bin)),
+        _ => runs::set_up(&runs, chunks, &input, stipple_counter, false, bin),
     }
     let mut work = Vec::with_capacity(runs.len() + batch.steps.len());
     let mut next = 0;
@@ -283,7 +257,7 @@ fn draw(batch: &Batch, target: &Target, scratch: &mut Scratch, screen_base: &[u3
         if let Step::Clear(clear) = step {
             work.push(Work::Clear(clear));
         }
-        while next < runs.len() && runs[next].0 == k {
+        while next < runs.len() && runs[next].step == k {
             work.push(Work::Triangles(&chunks[next]));
             next += 1;
         }

@@ -6,6 +6,7 @@ use crate::draw::assembly::{Part, PrimitiveType, QuadSplit};
 use crate::draw::recorder::{Recorder, Run};
 use crate::program::Output;
 use crate::raster::layout::{DrawRecord, RasterState};
+use crate::raster::simd::Level;
 use crate::raster::vertex::{BLOCK, ScreenVertex, VertexWorker};
 
 /// What shading on the host needs between runs.
@@ -72,7 +73,7 @@ impl Context {
             let mut screen = vec![ScreenVertex::default(); count];
             for first in (0..count).step_by(BLOCK) {
                 let end = count.min(first + BLOCK);
-                host.worker.run(&batch, draw, first, &mut shaded[first * stride..end * stride], &mut screen[first..end]);
+                host.worker.run(&batch, draw, first, &mut shaded[first * stride..end * stride], &mut screen[first..end], Level::best());
             }
             let raster_state = *batch.raster_states.get(draw.record.raster_state as usize)?;
             Some(HostVertices { record: draw.record, raster_state, outputs: draw.vertex_program.outputs.clone(), shaded, screen })

@@ -96,8 +96,8 @@ pub enum Shortcut {
     Modulate(Modulate),
 }
 
-/// A colour times a texel of slot 0, at s, t and r of varying 0 divided by its q. The inputs are varying 0, the three points of its
-/// quad where there is a level of detail, and the colour.
+/// A colour times a texel of slot 0, at s, t and r of varying 0 divided by its q; the level of detail is that of its quad. The
+/// colour is varying 1, and there is no other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Modulate {
     /// The sampler wants a level of detail.

@@ -94,6 +94,12 @@ impl<S: Simd> Colors<'_, S> {
     }
 }
 
+/// w along a row, from the plane of 1/w.
+#[inline(always)]
+fn over_w<S: Simd>(row: i32, down: f32, across: S::F) -> S::F {
+    S::div(S::f(1.0), S::fma(S::f(row as f32), S::f(down), across))
+}
+
 /// Draws the covered pixels of a tile; false where there are none.
 #[inline(always)]
 pub fn tile<S: Simd, const MODE: u32>(plan: &Plan, t: &Triangle, planes: &[[f32; 4]], bin: &mut BinPixels, tile: Tile<S>) -> bool {
@@ -111,7 +117,15 @@ pub fn tile<S: Simd, const MODE: u32>(plan: &Plan, t: &Triangle, planes: &[[f32;
         colors.across[c] = S::fma(x, S::f(p[1][c]), S::f(p[0][c]));
     }
     let mut touched = false;
+    // Without a test every row is written, and 1/w is asked for a row ahead: a division takes longer than the processor looks ahead
+    // past a row's other work.
+    let ahead = perspective && MODE & DEPTH == 0;
+    let mut next = if ahead { over_w::<S>(place[1] + first, tail[1], wx) } else { S::f(1.0) };
     for row in first..=last {
+        let mut reciprocal = next;
+        if ahead {
+            next = over_w::<S>(place[1] + row + 1, tail[1], wx);
+        }
         // Only signs count in a mask: they are what `select` and `signs` look at.
         let mut outside = edges.next();
         if allowed != FULL {
@@ -135,7 +149,9 @@ pub fn tile<S: Simd, const MODE: u32>(plan: &Plan, t: &Triangle, planes: &[[f32;
             }
             S::store_u(S::select(outside, old, S::or(S::andnot(S::i(0xff_ffff), old), z)), words);
         }
-        let reciprocal = if perspective { S::div(S::f(1.0), S::fma(y, S::f(tail[1]), wx)) } else { S::f(1.0) };
+        if perspective && !ahead {
+            reciprocal = over_w::<S>(place[1] + row, tail[1], wx);
+        }
         colors.write::<MODE>(y, reciprocal, outside, row8(bin.color, pixel));
     }
     touched

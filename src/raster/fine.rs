@@ -7,7 +7,7 @@
 use super::interpolate::Interpolator;
 use super::layout::*;
 use super::setup::Chunk;
-use super::simd::{Simd, prefetch};
+use super::simd::{Simd, eight, prefetch};
 use super::store::BinPixels;
 use super::tile::{FULL, LocalEdges, rectangle_mask};
 use super::write::{Color, is_bytes, write};
@@ -236,7 +236,7 @@ fn bin_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, index: usize, bin: &m
                         flush::<S>(worker, scene, current, bin);
                         current = t.draw;
                         let plan = &scene.plans[current as usize];
-                        if plan.direct.is_none() {
+                        if plan.direct.is_none() && plan.modulate.is_none() {
                             worker.interpolator.prepare(plan);
                         }
                         let count = plan.inputs().len();
@@ -444,12 +444,6 @@ fn varying<S: Simd>(plan: &Plan, planes: &[[f32; 4]], t: &Triangle, k: usize, x:
     value
 }
 
-/// Eight lanes of a column from any lane on.
-#[inline(always)]
-fn eight<T>(column: &[T], start: usize) -> &[T; 8] {
-    column[start..start + 8].try_into().expect("eight")
-}
-
 /// The low bits of `dense`, in order, at the places of the set bits of `mask`.
 #[inline(always)]
 fn spread(mut dense: u64, mask: u32) -> u32 {
@@ -488,11 +482,14 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
     let first = (plan.record.first_texture as usize).min(scene.batch.textures.len());
     let env =
         Environment { uniforms: &scene.batch.uniforms, base: plan.record.fragment_uniforms, textures: &scene.batch.textures[first..] };
-    worker.interpolator.run::<S>(scene, plan, &worker.queue[..count], lane_count, &mut worker.inputs);
+    let rows = &worker.queue[..count];
     let groups = lane_count.div_ceil(LANES);
     match (plan.modulate, env.textures.first()) {
-        (Some(what), Some(binding)) => modulate::run::<S>(what, binding, &worker.inputs, &mut worker.results.color, groups),
-        _ => worker.machine.run_fragment(plan.program, &env, &worker.inputs, &mut worker.results, groups),
+        (Some(what), Some(binding)) => modulate::run::<S>(what, scene, plan, binding, rows, lane_count, &mut worker.results.color),
+        _ => {
+            worker.interpolator.run::<S>(scene, plan, rows, lane_count, &mut worker.inputs);
+            worker.machine.run_fragment(plan.program, &env, &worker.inputs, &mut worker.results, groups);
+        }
     }
     let results = &worker.results;
     if is_bytes(scene.format) {

@@ -5,7 +5,7 @@
 
 use super::fine::{Plan, Row, Scene};
 use super::layout::*;
-use super::simd::Simd;
+use super::simd::{Simd, eight, eight_mut};
 use crate::program::Input;
 use crate::program::lanes::{Column4, GROUPS, LANES};
 
@@ -126,7 +126,7 @@ impl Interpolator {
                 }
             }
             for (source, values) in self.sources.iter().zip(&self.values) {
-                let mut value = S::columns(eight(values, group * LANES));
+                let mut value = S::columns(eight(values, group * LANES).each_ref());
                 if source.perspective {
                     let reciprocal = reciprocal[source.place % PLACES];
                     for component in &mut value {
@@ -181,16 +181,4 @@ fn each_fragment(row: &Row, mut f: impl FnMut(usize, u32)) {
         bits &= bits - 1;
         lane += 1;
     }
-}
-
-/// Eight values of a column.
-#[inline(always)]
-fn eight<T>(column: &[T], first: usize) -> &[T; LANES] {
-    column[first..][..LANES].try_into().expect("eight")
-}
-
-/// Eight values of a column, to write.
-#[inline(always)]
-fn eight_mut<T>(column: &mut [T], first: usize) -> &mut [T; LANES] {
-    (&mut column[first..][..LANES]).try_into().expect("eight")
 }

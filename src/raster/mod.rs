@@ -15,6 +15,7 @@ mod interpolate;
 pub mod layout;
 mod modulate;
 mod point_line;
+pub mod runs;
 pub mod samples;
 pub mod setup;
 pub mod simd;

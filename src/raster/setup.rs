@@ -5,6 +5,7 @@
 
 use super::clip::{ClipVertex, Clipper, possible};
 use super::layout::*;
+use super::simd::{Level, Simd};
 use super::vertex::ScreenVertex;
 use crate::draw::Batch;
 
@@ -24,6 +25,8 @@ pub struct SetupInput<'a> {
     pub screen_base: &'a [u32],
     /// Row 0 of the surface is the top row in GL's view.
     pub top_first: bool,
+    /// Instructions that set-up is compiled to.
+    pub level: Level,
 }
 
 /// What set-up makes of a run of primitives.
@@ -70,6 +73,22 @@ pub struct Context<'a> {
     pub top_first: bool,
 }
 
+crate::dispatch! {
+    /// [`Chunk::run`] at a level.
+    fn run_at = run_kernel<'a>(chunk: &mut Chunk, input: &SetupInput<'a>, first: u32, end: u32)
+}
+
+/// The level chooses the instructions that this and all that is inlined is compiled to; it uses no vectors by name.
+#[inline(always)]
+#[allow(clippy::extra_unused_type_parameters)]
+fn run_kernel<S: Simd>(chunk: &mut Chunk, input: &SetupInput, first: u32, end: u32) {
+    let mut clipper = std::mem::take(&mut chunk.clipper);
+    for (k, primitive) in input.batch.primitives[first as usize..end as usize].iter().enumerate() {
+        chunk.primitive(input, primitive, first + k as u32, &mut clipper);
+    }
+    chunk.clipper = clipper;
+}
+
 impl Chunk {
     /// Empties it, keeping its memory.
     pub fn clear(&mut self) {
@@ -80,13 +99,10 @@ impl Chunk {
 
     /// Sets up primitives `first..end` of the batch.
     pub fn run(&mut self, input: &SetupInput, first: u32, end: u32) {
-        let mut clipper = std::mem::take(&mut self.clipper);
-        for (k, primitive) in input.batch.primitives[first as usize..end as usize].iter().enumerate() {
-            self.primitive(input, primitive, first + k as u32, &mut clipper);
-        }
-        self.clipper = clipper;
+        run_at(input.level, self, input, first, end);
     }
 
+    #[inline(always)]
     fn primitive(&mut self, input: &SetupInput, primitive: &Primitive, index: u32, clipper: &mut Clipper) {
         let draw = primitive.draw_and_flags & PRIM_DRAW_MASK;
         let record = &input.batch.draws[draw as usize].record;
@@ -155,6 +171,7 @@ impl Chunk {
     }
 
     /// A triangle of a polygon: culled, filled or drawn by its outline or corners.
+    #[inline(always)]
     fn polygon(&mut self, context: &Context, v: &[Corner; 3], edges: [bool; 3]) {
         let [x, y] = [0, 1].map(|k| v.map(|c| c.screen.snapped[k] as i64));
         let area = (x[0] - x[1]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[0] - y[1]);
@@ -198,6 +215,7 @@ impl Chunk {
     }
 
     /// A filled triangle with positive area. `v[2]`'s place in the order does not matter to flat varyings.
+    #[inline(always)]
     pub fn triangle(&mut self, context: &Context, v: &[Corner; 3], front: bool, mut flags: u32, offset: bool) {
         let [x, y] = [0, 1].map(|k| v.map(|c| c.screen.snapped[k]));
         let Some((columns, rows, cut)) = bounds(x, y, context.state) else { return };
@@ -219,12 +237,21 @@ impl Chunk {
     }
 
     /// Appends the planes of the draw's varyings.
+    #[inline(always)]
     fn varyings(&mut self, context: &Context, basis: &Basis, v: &[Corner; 3], front: bool) {
         for &varying in &context.record.varyings[..context.record.varying_count as usize] {
             let at = (if front { varying } else { varying >> 8 } & 0xff) as usize;
             match varying >> 16 & 3 {
                 interpolation::FLAT => self.planes.extend([context.provoking[at], [0.0; 4], [0.0; 4]]),
-                interpolation::PERSPECTIVE => self.planes.extend(basis.plane4(v.map(|c| c.shaded[at].map(|a| a * c.screen.inv_w)))),
+                interpolation::PERSPECTIVE => {
+                    let mut over_w = [[0.0; 4]; 3];
+                    for (to, corner) in over_w.iter_mut().zip(v) {
+                        for (to, a) in to.iter_mut().zip(&corner.shaded[at]) {
+                            *to = a * corner.screen.inv_w;
+                        }
+                    }
+                    self.planes.extend(basis.plane4(over_w));
+                }
                 interpolation::COVERAGE => self.planes.extend(FULL_COVERAGE),
                 _ => self.planes.extend(basis.plane4(v.map(|c| c.shaded[at]))),
             }

@@ -74,9 +74,43 @@ pub trait Simd: Copy + 'static {
     /// Four planes (a0, d/dx, d/dy) at `count` places of a row: fma(y, dy, fma(x, dx, a0)). What follows them is anything.
     fn planes(planes: &[[f32; 4]; 3], x: &[f32; 8], y: f32, count: usize, to: &mut [[f32; 4]; 8]);
     /// Eight rows of four to four columns of eight.
-    fn columns(rows: &[[f32; 4]; 8]) -> [Self::F; 4];
+    fn columns(rows: [&[f32; 4]; 8]) -> [Self::F; 4];
     /// The first lanes spread, in their order, to those whose bit is set; the others are anything.
     fn expand(a: Self::I, bits: u32) -> Self::I;
+    /// The numbers of the lanes whose bit is set, in their order, in the first lanes; the others are anything.
+    fn set_lanes(bits: u32) -> Self::I;
+}
+
+/// Eight lanes of a column from any lane on.
+#[inline(always)]
+pub fn eight<T>(column: &[T], first: usize) -> &[T; 8] {
+    column[first..][..8].try_into().expect("eight")
+}
+
+/// Eight lanes of a column, to write.
+#[inline(always)]
+pub fn eight_mut<T>(column: &mut [T], first: usize) -> &mut [T; 8] {
+    (&mut column[first..][..8]).try_into().expect("eight")
+}
+
+/// For each mask of eight: the lanes whose bit is set, in their order.
+pub(super) static SET_LANES: [[u8; 8]; 256] = set_lanes();
+
+const fn set_lanes() -> [[u8; 8]; 256] {
+    let mut table = [[0; 8]; 256];
+    let mut bits = 0;
+    while bits < 256 {
+        let (mut lane, mut at) = (0, 0);
+        while lane < 8 {
+            if bits >> lane & 1 != 0 {
+                table[bits][at] = lane as u8;
+                at += 1;
+            }
+            lane += 1;
+        }
+        bits += 1;
+    }
+    table
 }
 
 /// For each mask of eight: which lane comes to which place, when lanes are expanded.
@@ -339,7 +373,7 @@ impl Simd for Portable {
         }
     }
     #[inline(always)]
-    fn columns(rows: &[[f32; 4]; 8]) -> [Self::F; 4] {
+    fn columns(rows: [&[f32; 4]; 8]) -> [Self::F; 4] {
         let mut r = [[0.0; 8]; 4];
         for (k, row) in rows.iter().enumerate() {
             for c in 0..4 {
@@ -351,6 +385,10 @@ impl Simd for Portable {
     #[inline(always)]
     fn expand(a: Self::I, bits: u32) -> Self::I {
         Self::permute(a, &MOVES[bits as usize & 255])
+    }
+    #[inline(always)]
+    fn set_lanes(bits: u32) -> Self::I {
+        map(SET_LANES[bits as usize & 255], i32::from)
     }
 }
 

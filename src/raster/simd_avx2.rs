@@ -1,6 +1,6 @@
 //! The AVX2 spelling of [`Simd`](super::simd::Simd).
 
-use super::simd::{Level, MASKS, MOVES, Simd};
+use super::simd::{Level, MASKS, MOVES, SET_LANES, Simd};
 
 /// AVX2 and FMA.
 #[derive(Clone, Copy)]
@@ -134,6 +134,9 @@ impl Simd for Avx2 {
     op!(mask(bits: u32) -> Self::I, {
         std::arch::x86_64::_mm256_cvtepi8_epi32(std::arch::x86_64::_mm_loadl_epi64(MASKS[bits as usize & 255].as_ptr().cast()))
     });
+    op!(set_lanes(bits: u32) -> Self::I, {
+        std::arch::x86_64::_mm256_cvtepu8_epi32(std::arch::x86_64::_mm_loadl_epi64(SET_LANES[bits as usize & 255].as_ptr().cast()))
+    });
     op!(min16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_min_epi16(a, b));
     op!(planes(planes: &[[f32; 4]; 3], x: &[f32; 8], y: f32, count: usize, to: &mut [[f32; 4]; 8]) -> (), {
         use std::arch::x86_64::*;
@@ -149,7 +152,7 @@ impl Simd for Avx2 {
             _mm256_storeu_ps(to[2 * k..2 * k + 2].as_mut_ptr().cast(), _mm256_fmadd_ps(y, dy, _mm256_fmadd_ps(x, dx, a)));
         }
     });
-    op!(columns(rows: &[[f32; 4]; 8]) -> [Self::F; 4], {
+    op!(columns(rows: [&[f32; 4]; 8]) -> [Self::F; 4], {
         use std::arch::x86_64::*;
         let [a, b, c, d] = [
             _mm256_loadu2_m128(rows[4].as_ptr(), rows[0].as_ptr()),

@@ -143,6 +143,7 @@ fn level_of_detail(
     position: &Position,
 ) -> Lanes {
     let size = [base.width as f32, base.height as f32, base.depth as f32];
+    // Loops, not `map`: closures for it are compiled for the baseline, outside of the functions of a level.
     let mut rho2 = [0.0f32; LANES];
     for gradient in gradients {
         // One loop a kind, so that each becomes vector instructions.
@@ -163,10 +164,21 @@ fn level_of_detail(
                 d[0] * d[0] + d[1] * d[1]
             }),
         };
-        rho2 = std::array::from_fn(|i| math::max(rho2[i], square[i]));
+        for i in 0..LANES {
+            rho2[i] = math::max(rho2[i], square[i]);
+        }
     }
     // Where the colour runs on from level to level without a jump, the logarithm need not be exact to the last bit.
-    let log2: Lanes = if runs_on(sampler) { rho2.map(|rho2| math::log2_near(rho2)) } else { rho2.map(|rho2| math::log2(rho2)) };
+    let mut log2 = [0.0; LANES];
+    if runs_on(sampler) {
+        for i in 0..LANES {
+            log2[i] = math::log2_near(rho2[i]);
+        }
+    } else {
+        for i in 0..LANES {
+            log2[i] = math::log2(rho2[i]);
+        }
+    }
     let mut lambda = [0.0; LANES];
     for i in 0..LANES {
         let biased = 0.5 * log2[i] + sampler.lod_bias;

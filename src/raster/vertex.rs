@@ -7,6 +7,7 @@
 use crate::draw::{Batch, Draw};
 use crate::program::lanes::{Column4, Environment, GROUPS, LANES, Machine, ZERO4};
 use crate::raster::layout::*;
+use crate::raster::simd::{Level, Simd};
 
 /// Vertices in one run of the vertex program.
 pub const BLOCK: usize = LANES * GROUPS;
@@ -124,8 +125,13 @@ fn fetch(batch: &Batch, record: &DrawRecord, slot: usize, first: usize, count: u
 }
 
 impl VertexWorker {
+    /// Shades a block.
+    pub fn block(&mut self, batch: &Batch, block: VertexBlock, level: Level) {
+        self.run(batch, block.draw, block.first, block.shaded, block.screen, level);
+    }
+
     /// Shades vertices `first..first + screen.len()` of a draw, at most [`BLOCK`]. `shaded` is their part of the output.
-    pub fn run(&mut self, batch: &Batch, draw: &Draw, first: usize, shaded: &mut [[f32; 4]], screen: &mut [ScreenVertex]) {
+    pub fn run(&mut self, batch: &Batch, draw: &Draw, first: usize, shaded: &mut [[f32; 4]], screen: &mut [ScreenVertex], level: Level) {
         let record = &draw.record;
         let program = &*draw.vertex_program;
         let count = screen.len();
@@ -145,13 +151,26 @@ impl VertexWorker {
             }
         }
         let state = &batch.raster_states[record.raster_state as usize];
-        for (v, to) in screen.iter_mut().enumerate() {
-            *to = place(&shaded[v * stride..(v + 1) * stride], record, state);
-        }
+        place_all(level, shaded, record, state, screen);
+    }
+}
+
+crate::dispatch! {
+    /// Puts shaded vertices on the screen.
+    fn place_all = place_kernel(shaded: &[[f32; 4]], record: &DrawRecord, state: &RasterState, screen: &mut [ScreenVertex])
+}
+
+/// At the level of AVX2 and FMA, rounding and fused products are instructions, not calls.
+#[inline(always)]
+#[allow(clippy::extra_unused_type_parameters)]
+fn place_kernel<S: Simd>(shaded: &[[f32; 4]], record: &DrawRecord, state: &RasterState, screen: &mut [ScreenVertex]) {
+    for (vertex, to) in shaded.chunks_exact(record.shaded_stride as usize).zip(screen) {
+        *to = place(vertex, record, state);
     }
 }
 
 /// Puts a shaded vertex on the screen, user clip planes looked at.
+#[inline(always)]
 pub fn place(vertex: &[[f32; 4]], record: &DrawRecord, state: &RasterState) -> ScreenVertex {
     let mut placed = to_screen(vertex[0], state);
     if record.clip_distances != NONE {
@@ -172,15 +191,21 @@ pub struct VertexBlock<'a> {
     screen: &'a mut [ScreenVertex],
 }
 
-/// Sizes the outputs of the vertex stage for a batch and cuts them into blocks of at most [`BLOCK`] vertices. Returns the first
-/// [`ScreenVertex`] of each draw, and the blocks.
-pub fn blocks<'a>(batch: &'a Batch, shaded: &'a mut Vec<[f32; 4]>, screen: &'a mut Vec<ScreenVertex>) -> (Vec<u32>, Vec<VertexBlock<'a>>) {
+/// The first [`ScreenVertex`] of each draw, and how many there are.
+pub fn bases(batch: &Batch) -> (Vec<u32>, usize) {
     let mut bases = Vec::with_capacity(batch.draws.len());
     let mut vertices = 0;
     for draw in &batch.draws {
         bases.push(vertices as u32);
         vertices += draw.record.vertex_count as usize;
     }
+    (bases, vertices)
+}
+
+/// Sizes the outputs of the vertex stage for a batch and cuts them into blocks of at most [`BLOCK`] vertices. Returns the first
+/// [`ScreenVertex`] of each draw, and the blocks.
+pub fn blocks<'a>(batch: &'a Batch, shaded: &'a mut Vec<[f32; 4]>, screen: &'a mut Vec<ScreenVertex>) -> (Vec<u32>, Vec<VertexBlock<'a>>) {
+    let (bases, vertices) = bases(batch);
     shaded.resize(batch.shaded_vec4 as usize, [0.0; 4]);
     screen.resize(vertices, ScreenVertex::default());
     // Cut the outputs into blocks: each is written by one worker.
@@ -203,11 +228,4 @@ pub fn blocks<'a>(batch: &'a Batch, shaded: &'a mut Vec<[f32; 4]>, screen: &'a m
         at = record.shaded_base as usize + record.vertex_count as usize * record.shaded_stride as usize;
     }
     (bases, blocks)
-}
-
-impl VertexWorker {
-    /// Shades a block.
-    pub fn block(&mut self, batch: &Batch, block: VertexBlock) {
-        self.run(batch, block.draw, block.first, block.shaded, block.screen);
-    }
 }

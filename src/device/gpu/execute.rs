@@ -20,7 +20,8 @@ use super::texture::Heap;
 use super::visible;
 use crate::device::SurfaceFormat;
 use crate::draw::{Batch, Step};
-use crate::raster::layout::{BIN_SIZE, raster_flags};
+use crate::raster::layout::BIN_SIZE;
+use crate::raster::runs;
 
 /// Distance of two dispatches' parameters, a multiple of every device's alignment.
 const PARAMS_STRIDE: usize = 512;
@@ -185,6 +186,9 @@ impl Executor {
                 return;
             }
             batch.steps = rest(&batch.steps, place);
+            if let Some(from) = batch.steps.iter().find_map(|s| if let Step::Primitives { first, .. } = s { Some(*first) } else { None }) {
+                self.host_front.resume(&batch, self.format.top_first, from);
+            }
             self.run(batch);
         }
     }
@@ -387,9 +391,11 @@ impl Executor {
         self.heap.prepare(device, queue, &batch.textures);
         self.buffers.uniforms.upload(device, queue, cast_slice(&batch.uniforms));
         // The stipple counter runs from line to line, which the kernels' front end cannot follow.
-        let stippled = batch.raster_states.iter().any(|s| s.flags & raster_flags::LINE_STIPPLE != 0);
-        let prepared =
-            if self.kernels.config.shape.host_front || stippled { self.prepare_host(batch) } else { self.prepare_kernels(batch) };
+        let prepared = if self.kernels.config.shape.host_front || runs::stippled(batch) {
+            self.prepare_host(batch)
+        } else {
+            self.prepare_kernels(batch)
+        };
         self.bind();
         prepared
     }

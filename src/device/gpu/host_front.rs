@@ -3,9 +3,11 @@
 
 use rayon::prelude::*;
 
-use crate::draw::{Batch, Step};
+use crate::draw::Batch;
 use crate::raster::layout::Triangle;
+use crate::raster::runs;
 use crate::raster::setup::{Chunk, SetupInput};
+use crate::raster::simd::Level;
 use crate::raster::vertex::{self, ScreenVertex, VertexWorker};
 
 /// Primitives in a run.
@@ -17,6 +19,10 @@ pub struct HostFront {
     shaded: Vec<[f32; 4]>,
     screen: Vec<ScreenVertex>,
     chunks: Vec<Chunk>,
+    /// The line stipple counter, and what it was before the last batch, whose first primitive was `first`.
+    stipple_counter: u32,
+    counter_before: u32,
+    first: u32,
     /// Triangles of all steps, in order.
     pub triangles: Vec<Triangle>,
     /// Their planes.
@@ -29,45 +35,45 @@ impl HostFront {
     /// Sets up a batch.
     pub fn run(&mut self, batch: &Batch, top_first: bool) {
         let screen_base = self.shade(batch);
-        let runs: Vec<(usize, u32, u32)> = (batch.steps.iter().enumerate())
-            .flat_map(|(k, step)| {
-                let (first, end) = if let Step::Primitives { first, end } = *step { (first, end) } else { (0, 0) };
-                (first..end).step_by(RUN as usize).map(move |f| (k, f, (f + RUN).min(end)))
-            })
-            .collect();
-        if self.chunks.len() < runs.len() {
-            self.chunks.resize_with(runs.len(), Chunk::default);
-        }
-        let input = SetupInput { batch, shaded: &self.shaded, screen: &self.screen, screen_base: &screen_base, top_first };
-        let chunks = &mut self.chunks[..runs.len()];
-        let set_up = |(chunk, &(_, first, end)): (&mut Chunk, &(usize, u32, u32))| {
-            chunk.clear();
-            chunk.run(&input, first, end);
-        };
-        if runs.len() > 1 {
-            chunks.par_iter_mut().zip(&runs).for_each(set_up);
-        } else {
-            chunks.iter_mut().zip(&runs).for_each(set_up);
-        }
+        let runs = runs::cut(batch, RUN);
+        (self.first, self.counter_before) = (runs.first().map_or(0, |run| run.first), self.stipple_counter);
+        let HostFront { shaded, screen, chunks, stipple_counter, .. } = self;
+        let input = SetupInput { batch, shaded, screen, screen_base: &screen_base, top_first, level: Level::from_environment() };
+        runs::set_up(&runs, chunks, &input, stipple_counter, true, |_| ());
         self.triangles.clear();
         self.planes.clear();
         self.step_ends.clear();
         let mut next = 0;
         for k in 0..batch.steps.len() {
-            while next < runs.len() && runs[next].0 == k {
+            while next < runs.len() && runs[next].step == k {
                 let base = self.planes.len() as u32;
-                self.triangles.extend(chunks[next].triangles.iter().map(|t| Triangle { planes: t.planes + base, ..*t }));
-                self.planes.extend_from_slice(&chunks[next].planes);
+                self.triangles.extend(self.chunks[next].triangles.iter().map(|t| Triangle { planes: t.planes + base, ..*t }));
+                self.planes.extend_from_slice(&self.chunks[next].planes);
                 next += 1;
             }
             self.step_ends.push(self.triangles.len());
         }
     }
 
+    /// Gets ready to set up the last batch again from a primitive on: the stipple counter goes back to where it was there.
+    pub fn resume(&mut self, batch: &Batch, top_first: bool, from: u32) {
+        if !runs::stippled(batch) || from < self.first {
+            return;
+        }
+        let (screen_base, _) = vertex::bases(batch);
+        let HostFront { shaded, screen, .. } = self;
+        let input = SetupInput { batch, shaded, screen, screen_base: &screen_base, top_first, level: Level::from_environment() };
+        let mut chunk = Chunk::default();
+        chunk.stipple_counter = self.counter_before;
+        chunk.run(&input, self.first, from);
+        self.stipple_counter = chunk.stipple_counter;
+    }
+
     /// Shades all vertices. Returns the first [`ScreenVertex`] of each draw.
     fn shade(&mut self, batch: &Batch) -> Vec<u32> {
+        let level = Level::from_environment();
         let (bases, blocks) = vertex::blocks(batch, &mut self.shaded, &mut self.screen);
-        blocks.into_par_iter().with_min_len(8).for_each_init(VertexWorker::default, |w, block| w.block(batch, block));
+        blocks.into_par_iter().with_min_len(8).for_each_init(VertexWorker::default, |w, block| w.block(batch, block, level));
         bases
     }
 }

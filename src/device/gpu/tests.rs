@@ -290,6 +290,33 @@ fn a_batch_that_does_not_fit_is_drawn_all_the_same() {
 }
 
 #[test]
+fn the_stipple_runs_on_through_any_number_of_lines() {
+    let size = [256, 256];
+    let mut random = Random(11);
+    let mut builder = Builder::new(size[0], size[1]);
+    builder.batch.raster_states[0].flags |= raster_flags::LINE_STIPPLE;
+    builder.batch.raster_states[0].line_stipple = 0x3c5f | 3 << 16;
+    // More than the host sets up in one run, and none resets the counter.
+    for _ in 0..3 {
+        let mut vertices = Vec::new();
+        for _ in 0..2500 {
+            let (x, y) = (random.range(-0.9, 0.9), random.range(-0.9, 0.9));
+            for _ in 0..2 {
+                let p = [x + random.range(-0.05, 0.05), y + random.range(-0.05, 0.05), random.range(-0.8, 0.8), 1.0];
+                vertices.push([p[0], p[1], p[2], p[3], random.next(), random.next(), random.next(), 1.0]);
+            }
+        }
+        builder.draw(topology::LINES, &vertices, 0, fragment_state());
+    }
+    // In little memory the rest is set up again.
+    for limit in [None, Some(100_000)] {
+        let limited = |config: &mut Config| config.buffer_limit = limit.unwrap_or(config.buffer_limit);
+        let Ok(gpu) = GpuDevice::with(limited) else { return };
+        compare_with(&gpu, &builder.batch, size, FORMAT);
+    }
+}
+
+#[test]
 fn blended_layers_agree() {
     let size = [200, 130];
     let mut random = Random(2);
