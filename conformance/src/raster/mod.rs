@@ -21,6 +21,8 @@ mod page;
 mod plot;
 mod scenes;
 mod section;
+#[cfg(feature = "study")]
+mod study;
 mod sweeps;
 mod t_scenes;
 mod target;
@@ -47,13 +49,15 @@ pub enum Case {
     Huge,
     /// The same scenes, and T1 to T6, on other implementations of OpenGL.
     Against,
+    /// Ways to rasterize on the CPU (feature `study`).
+    Study,
 }
 
 /// Options of `raster`.
 #[derive(Args)]
 pub struct Options {
     /// What to measure.
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "frames,areas,modes,draws,batches,huge,against")]
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "frames,areas,modes,draws,batches,huge,against,study")]
     cases: Vec<Case>,
     /// Which of the scenes S1 to S6.
     #[arg(long, value_delimiter = ',', default_value = "1,2,3,4,5,6")]
@@ -101,6 +105,14 @@ fn run(case: Case, options: &Options, benches: &[Bench], implementations: &mut [
         Case::Modes => sweeps::modes(options, benches),
         Case::Draws => draws::run(options, benches, implementations),
         Case::Against => against::run(options, benches, implementations),
+        #[cfg(feature = "study")]
+        Case::Study => study::run(options),
+        #[cfg(not(feature = "study"))]
+        Case::Study => {
+            let mut section = Section::new("study", "Ways to rasterize on the CPU", "");
+            section.leave_out("this program was built without the feature `study`".into());
+            Ok(section)
+        }
         Case::Batches => sweeps::batches(options, benches),
         Case::Huge => sweeps::huge(options, benches),
     }
