@@ -5,7 +5,12 @@ use std::process::Command;
 use crate::build::root;
 
 fn first_line(program: &str, arguments: &[&str]) -> String {
-    let output = Command::new(program).current_dir(root()).args(arguments).output();
+    let mut command = Command::new(program);
+    // The program may have been carried to a machine without its sources.
+    if root().is_dir() {
+        command.current_dir(root());
+    }
+    let output = command.args(arguments).output();
     let text = output.map(|o| String::from_utf8_lossy(&o.stdout).into_owned()).unwrap_or_default();
     text.lines().next().map_or_else(|| "unknown".into(), str::to_owned)
 }

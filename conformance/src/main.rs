@@ -66,8 +66,11 @@ enum Command {
     Order(order::Options),
     /// Programs built on other people's libraries (PyOpenGL, GLU, GLFW), unmodified.
     Clients(clients::Options),
-    /// The rasterizer alone on the scenes S1 to S6, on a GPU.
+    /// The rasterizer measured: scenes, sweeps, other implementations, ways to rasterize on the CPU; writes report/raster.html and raster.json.
     Raster(raster::Options),
+    /// A process of `raster` that draws with one implementation.
+    #[command(hide = true)]
+    RasterClient(raster::client::Options),
     /// Time from process start to the first frame.
     Start(start::Options),
     /// Stiff and extreme cases against an exact oracle; writes report/stiff.html and report/stiff.json.
@@ -83,6 +86,7 @@ fn main() -> ExitCode {
         Command::Order(options) => order::main(&options),
         Command::Clients(options) => clients::main(&options),
         Command::Raster(options) => raster::main(&options),
+        Command::RasterClient(options) => raster::client::main(&options),
         Command::Start(options) => start::main(&options),
         Command::Stiff(options) => stiff::main(&options),
         Command::Precision(options) => precision::main(&options),

@@ -38,6 +38,7 @@ pub struct Runner {
     /// What it is called in messages and reports.
     pub label: &'static str,
     binary: PathBuf,
+    arguments: Vec<String>,
     environment: Vec<(String, String)>,
     log: PathBuf,
     process: Option<Process>,
@@ -49,12 +50,18 @@ impl Runner {
     pub fn new(label: &'static str, binary: &Path, environment: &[(&str, &str)], log: PathBuf) -> Runner {
         let environment = environment.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())).collect();
         let _ = std::fs::remove_file(&log);
-        Runner { label, binary: binary.to_owned(), environment, log, process: None, patience: PATIENCE }
+        Runner { label, binary: binary.to_owned(), arguments: Vec::new(), environment, log, process: None, patience: PATIENCE }
     }
 
     /// The same runner with another limit for one request.
     pub fn patient(mut self, patience: Duration) -> Runner {
         self.patience = patience;
+        self
+    }
+
+    /// The same runner, started with arguments.
+    pub fn called_with(mut self, arguments: Vec<String>) -> Runner {
+        self.arguments = arguments;
         self
     }
 
@@ -64,9 +71,10 @@ impl Runner {
         self
     }
 
-    /// The command with its environment, before any argument.
+    /// The command with its arguments and its environment.
     pub fn command(&self) -> Command {
         let mut command = Command::new(&self.binary);
+        command.args(&self.arguments);
         command.envs(self.environment.iter().map(|(k, v)| (k, v)));
         command
     }

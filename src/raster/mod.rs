@@ -22,6 +22,8 @@ pub mod simd;
 #[cfg(target_arch = "x86_64")]
 mod simd_avx2;
 pub mod store;
+#[cfg(feature = "study")]
+pub mod study;
 pub mod texture;
 #[cfg(target_arch = "x86_64")]
 mod texture_wide;

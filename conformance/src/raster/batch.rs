@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use tepui::draw::{Batch, Clear, Draw, Step};
-use tepui::program::{Input, Interface, Output, Program, Stage, Varying};
+use tepui::program::{Input, Interface, Output, Program, Shortcut, Stage, Varying};
 use tepui::raster::layout::*;
 
-use super::scenes::Scene;
+use super::scenes::{Change, Mode, Scene};
 
 /// Words of a vertex: position and colour.
 const VERTEX_WORDS: u32 = 8;
@@ -20,22 +20,26 @@ fn vertex_main(in: VertexIn, base: u32) -> VertexOut { return VertexOut(in.a0, i
 }
 
 /// The colour, times a tint where draws have one.
-fn fragment_program(tinted: bool) -> Result<Arc<Program>, String> {
+fn fragment_program(tinted: bool, interpolation: u32) -> Result<Arc<Program>, String> {
     let text = format!(
         "struct FragmentIn {{ i0: vec4<f32> }}
 struct FragmentOut {{ color: vec4<f32> }}
 fn fragment_main(in: FragmentIn, base: u32) -> FragmentOut {{ return FragmentOut(in.i0{}); }}",
         if tinted { " * uniforms[base]" } else { "" }
     );
-    let color = Varying { front: Output::FrontColor, back: Output::FrontColor, interpolation: interpolation::PERSPECTIVE };
-    let interface = Interface { inputs: vec![Input::Varying(0)], varyings: vec![color], uniform_vec4: 1, ..Interface::default() };
+    let color = Varying { front: Output::FrontColor, back: Output::FrontColor, interpolation };
+    // As the generator says it of the same program: the CPU executor then has a routine of its own.
+    let shortcut = if tinted { Shortcut::None } else { Shortcut::Varying(0) };
+    let interface = Interface { inputs: vec![Input::Varying(0)], varyings: vec![color], uniform_vec4: 1, shortcut, ..Interface::default() };
     Program::new(Stage::Fragment, text, interface).map(Arc::new)
 }
 
 /// The batch of a scene: a clear, then its draws, each with its tint.
 pub fn batch(scene: &Scene) -> Result<Batch, String> {
     let size = scene.size;
-    let (vertex_program, fragment_program) = (vertex_program()?, fragment_program(scene.draws > 1)?);
+    let tinted = scene.change == Change::Tint;
+    let smooth = if scene.flat { interpolation::FLAT } else { interpolation::PERSPECTIVE };
+    let (vertex_program, fragment_program) = (vertex_program()?, fragment_program(tinted, smooth)?);
     let mut batch = Batch::default();
     for (position, color) in scene.positions.iter().zip(&scene.colors) {
         batch.vertices.extend_from_slice(position);
@@ -55,26 +59,29 @@ pub fn batch(scene: &Scene) -> Result<Batch, String> {
         polygon_stipple: NONE,
         ..bytemuck::Zeroable::zeroed()
     });
-    let depth = fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE;
+    let depth = if scene.mode.depth() { fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE } else { 0 };
+    let blend = if scene.mode == Mode::Blend { fragment_flags::BLEND } else { 0 };
     let (s, d) = (blend_factor::SRC_ALPHA, blend_factor::ONE_MINUS_SRC_ALPHA);
-    batch.fragment_states.push(FragmentState {
-        flags: if scene.blend { fragment_flags::BLEND } else { depth },
-        depth_func: compare::LESS,
-        blend_factors: [s, d, s, d],
-        color_mask: 15,
-        ..bytemuck::Zeroable::zeroed()
-    });
+    for flags in [depth | blend, depth | (blend ^ fragment_flags::BLEND)] {
+        batch.fragment_states.push(FragmentState {
+            flags,
+            depth_func: compare::LESS,
+            blend_factors: [s, d, s, d],
+            color_mask: if scene.mode == Mode::DepthOnly { 0 } else { 15 },
+            ..bytemuck::Zeroable::zeroed()
+        });
+    }
     batch.steps.push(Step::Clear(Clear {
         min: [0; 2],
         max: size.map(|s| s as i32),
         color: [0.0; 4],
         color_mask: 15,
-        depth: (!scene.blend).then_some(1.0),
+        depth: scene.mode.depth().then_some(1.0),
         stencil: None,
     }));
     let each = scene.triangles() / scene.draws;
     for k in 0..scene.draws {
-        let tint = if scene.draws > 1 { 1.0 - (k & 7) as f32 / 16.0 } else { 1.0 };
+        let tint = if tinted { 1.0 - (k & 7) as f32 / 16.0 } else { 1.0 };
         batch.uniforms.push([tint, tint, tint, 1.0]);
         let indices = &scene.indices[(k * each * 3) as usize..((k + 1) * each * 3) as usize];
         let first = indices.iter().min().copied().unwrap_or(0);
@@ -89,11 +96,12 @@ pub fn batch(scene: &Scene) -> Result<Batch, String> {
             (record.attribute_offset[slot], record.attribute_size[slot]) = (offset, 4);
         }
         record.fragment_uniforms = k;
+        record.fragment_state = if scene.change == Change::Blend { k & 1 } else { 0 };
         record.shaded_base = batch.shaded_vec4;
         record.shaded_stride = 2;
         (record.clip_distances, record.point_size) = (NONE, NONE);
         record.varying_count = 1;
-        record.varyings[0] = 1 | 1 << 8 | interpolation::PERSPECTIVE << 16;
+        record.varyings[0] = 1 | 1 << 8 | smooth << 16;
         batch.shaded_vec4 += 2 * count;
         let first_primitive = batch.primitives.len() as u32;
         let flags = k | PRIM_EDGE_01 | PRIM_EDGE_12 | PRIM_EDGE_20;

@@ -1,137 +1,147 @@
-//! `raster`: the rasterizer alone on scenes S1 to S6: time on the GPU from vertices in a buffer to the last pixel, by stage, memory, and
-//! the picture against the CPU executor's.
+//! `raster`: the rasterizer measured. Its scenes, sweeps of one quantity each, the same scenes on other implementations of OpenGL, and
+//! the study of ways to rasterize on the CPU; tables, plots, one page and JSON.
 
-use std::io::Write;
 use std::path::PathBuf;
 
-use clap::Args;
-use serde::Serialize;
-use tepui::device::cpu::CpuDevice;
-use tepui::device::gpu::{GpuDevice, StageTime};
-use tepui::device::{ColorFormat, DepthFormat, Device, Pixels, Surface, SurfaceFormat};
+use clap::{Args, ValueEnum};
 
 use crate::Error;
+use crate::build::root;
 
+mod against;
 mod batch;
+mod bench;
+mod capture;
+pub mod client;
+mod draws;
+mod frames;
+mod gl;
+mod named;
+mod page;
+mod plot;
 mod scenes;
+mod section;
+#[cfg(feature = "study")]
+mod study;
+mod sweeps;
+mod t_scenes;
+mod target;
 
-use scenes::{SIZES, Scene};
+use against::Implementation;
+use bench::Bench;
+use scenes::SIZES;
+use section::Section;
+
+/// What can be measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Case {
+    /// Scenes S1 to S6.
+    Frames,
+    /// The size of triangles.
+    Areas,
+    /// What is done with a fragment, by samples.
+    Modes,
+    /// The same triangles in more and more draws.
+    Draws,
+    /// The size of batches.
+    Batches,
+    /// A frame of very many triangles.
+    Huge,
+    /// The same scenes, and T1 to T6, on other implementations of OpenGL.
+    Against,
+    /// Ways to rasterize on the CPU (feature `study`).
+    Study,
+}
 
 /// Options of `raster`.
 #[derive(Args)]
 pub struct Options {
-    /// Which scenes.
+    /// What to measure.
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "frames,areas,modes,draws,batches,huge,against,study")]
+    cases: Vec<Case>,
+    /// Which of the scenes S1 to S6.
     #[arg(long, value_delimiter = ',', default_value = "1,2,3,4,5,6")]
     scenes: Vec<u32>,
-    /// Which heights: 768, 1080, 2160.
-    #[arg(long, value_delimiter = ',', default_value = "1080")]
+    /// At which heights: 768, 1080, 2160.
+    #[arg(long, value_delimiter = ',', default_value = "768,1080,2160")]
     heights: Vec<u32>,
+    /// Samples a pixel of the scenes.
+    #[arg(long, value_delimiter = ',', default_value = "1")]
+    samples: Vec<u32>,
     /// Frames of each; the median is shown.
     #[arg(long, default_value_t = 31)]
     frames: usize,
-    /// Compares the picture with the CPU executor's too.
+    /// Millions of triangles of the frame of very many.
+    #[arg(long, default_value_t = 50)]
+    millions: u32,
+    /// Measures the CPU executor too where there is a GPU.
+    #[arg(long)]
+    with_cpu: bool,
+    /// Compares pictures with the CPU executor's too.
     #[arg(long)]
     check: bool,
-    /// Writes all figures to this file (JSON).
+    /// Fails where a limit is broken.
     #[arg(long)]
-    json: Option<PathBuf>,
+    strict: bool,
+    /// Leaves Mesa's OSMesa out.
+    #[arg(long)]
+    without_reference: bool,
+    /// Takes OpenGL through EGL even where it is a software renderer.
+    #[arg(long)]
+    software_egl: bool,
+    /// Where raster.html, raster.json and the plots go.
+    #[arg(long)]
+    output: Option<PathBuf>,
 }
 
-const FORMAT: SurfaceFormat =
-    SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true, samples: 1 };
-
-/// Everything measured of a scene at a size.
-#[derive(Debug, Serialize)]
-struct Row {
-    scene: u32,
-    size: [u32; 2],
-    triangles: u32,
-    /// Milliseconds on the GPU: least, median, greatest.
-    ms: [f64; 3],
-    /// Median milliseconds by stage, measured in frames of their own.
-    stages: Vec<(&'static str, f64)>,
-    /// MiB of buffers by name.
-    memory: Vec<(&'static str, f64)>,
-    /// Against the CPU executor: pixels covered by one alone, pixels of another colour, greatest difference of a component, of depth.
-    against_cpu: Option<[u32; 4]>,
+fn sizes(options: &Options) -> Vec<[u32; 2]> {
+    SIZES.into_iter().filter(|s| options.heights.contains(&s[1])).collect()
 }
 
-fn least_median_greatest(mut times: Vec<f64>) -> [f64; 3] {
-    times.sort_by(f64::total_cmp);
-    match times.len() {
-        0 => [f64::NAN; 3],
-        n => [times[0], times[n / 2], times[n - 1]],
-    }
-}
-
-fn medians(frames: &[Vec<StageTime>]) -> Vec<(&'static str, f64)> {
-    let Some(first) = frames.first() else { return Vec::new() };
-    let of = |name: &str| frames.iter().filter_map(|f| f.iter().find(|t| t.name == name).map(|t| t.ms)).collect();
-    first.iter().map(|t| (t.name, least_median_greatest(of(t.name))[1])).collect()
-}
-
-fn difference(cpu: &Pixels, gpu: &Pixels) -> [u32; 4] {
-    let mut d = [0; 4];
-    for (a, b) in cpu.color.iter().zip(gpu.color.iter()) {
-        d[0] += ((*a == 0) != (*b == 0)) as u32;
-        d[1] += (a != b) as u32;
-        for (x, y) in a.to_le_bytes().into_iter().zip(b.to_le_bytes()) {
-            d[2] = d[2].max(x.abs_diff(y) as u32);
+fn run(case: Case, options: &Options, benches: &[Bench], implementations: &mut [Implementation]) -> Result<Section, String> {
+    match case {
+        Case::Frames => frames::run(options, benches),
+        Case::Areas => sweeps::areas(options, benches),
+        Case::Modes => sweeps::modes(options, benches),
+        Case::Draws => draws::run(options, benches, implementations),
+        Case::Against => against::run(options, benches, implementations),
+        #[cfg(feature = "study")]
+        Case::Study => study::run(options),
+        #[cfg(not(feature = "study"))]
+        Case::Study => {
+            let mut section = Section::new("study", "Ways to rasterize on the CPU", "");
+            section.leave_out("this program was built without the feature `study`".into());
+            Ok(section)
         }
+        Case::Batches => sweeps::batches(options, benches),
+        Case::Huge => sweeps::huge(options, benches),
     }
-    for (a, b) in cpu.depth_stencil.iter().zip(gpu.depth_stencil.iter()) {
-        d[3] = d[3].max(a.abs_diff(*b));
-    }
-    d
 }
 
-/// Measures; false where a picture is not the CPU executor's.
+/// Measures; false where a picture is wrong or, with `--strict`, a limit is broken.
 pub fn main(options: &Options) -> Result<bool, Error> {
-    let gpu = GpuDevice::new()?;
-    println!("{}", gpu.name());
-    println!("ms on the GPU: least, median, greatest of {} frames; vertices resident, clear to last pixel", options.frames);
-    let mut rows = Vec::new();
-    let mut good = true;
-    for size in SIZES.into_iter().filter(|s| options.heights.contains(&s[1])) {
-        for &id in &options.scenes {
-            let scene = Scene::new(id, size)?;
-            let batch = batch::batch(&scene)?;
-            let mut surface = gpu.gpu_surface(size[0], size[1], FORMAT);
-            let whole = surface.timed(&batch, options.frames, false);
-            let ms = least_median_greatest(whole.iter().flatten().map(|t| t.ms).collect());
-            let stages = medians(&surface.timed(&batch, 5, true));
-            let memory: Vec<_> = surface.memory().into_iter().map(|(name, bytes)| (name, bytes as f64 / (1 << 20) as f64)).collect();
-            let against_cpu = options.check.then(|| {
-                let mut cpu = CpuDevice::new().surface(size[0], size[1], FORMAT);
-                cpu.execute(batch.clone());
-                difference(&cpu.pixels(), &surface.pixels())
-            });
-            println!(
-                "S{id} {:>4}x{:<4} {:8.3} {:8.3} {:8.3}  {:7.0} Mtri/s",
-                size[0],
-                size[1],
-                ms[0],
-                ms[1],
-                ms[2],
-                scene.triangles() as f64 / ms[1] / 1e3
-            );
-            let text: Vec<String> = stages.iter().map(|(name, ms)| format!("{name} {ms:.3}")).collect();
-            println!("   {}", text.join(", "));
-            let total: f64 = memory.iter().map(|m| m.1).sum();
-            let text: Vec<String> = memory.iter().filter(|m| m.1 >= 1.0).map(|(name, mib)| format!("{name} {mib:.0}")).collect();
-            println!("   MiB {total:.0}: {}", text.join(", "));
-            if let Some([coverage, pixels, most, depth]) = against_cpu {
-                println!(
-                    "   against the CPU executor: {coverage} pixels of coverage, {pixels} of colour by up to {most}, depth by up to {depth}"
-                );
-                good &= coverage == 0 && most <= 1 && depth <= 1;
-            }
-            std::io::stdout().flush()?;
-            rows.push(Row { scene: id, size, triangles: scene.triangles(), ms, stages, memory, against_cpu });
-        }
+    let command = std::env::args().skip(1).fold("tepui-conformance".to_owned(), |c, a| c + " " + &a);
+    let output = options.output.clone().unwrap_or_else(|| root().join("report"));
+    let benches = Bench::all(options.with_cpu);
+    let mut about: Vec<(String, String)> = benches.iter().map(|b| (b.short().to_owned(), b.name())).collect();
+    about.push(("Frames".into(), format!("{} of each, the median is shown", options.frames)));
+    let mut implementations = against::implementations(options, &output, &options.cases)?;
+    about.extend(implementations.iter().map(|i| (i.runner.label.to_owned(), i.about.clone())));
+    about.iter().for_each(|(name, value)| println!("{name}: {value}"));
+    let mut sections = Vec::new();
+    for &case in &options.cases {
+        sections.push(run(case, options, &benches, &mut implementations)?);
+        // After every case, so that a run that is cut short leaves what it has.
+        page::write(&output, &command, &about, &sections)?;
     }
-    if let Some(path) = &options.json {
-        std::fs::write(path, serde_json::to_string_pretty(&rows)?)?;
-    }
-    Ok(good)
+    let broken = sections.iter().flat_map(|s| &s.limits).filter(|l| !l.held()).count();
+    let limits = sections.iter().map(|s| s.limits.len()).sum::<usize>();
+    let wrong = sections.iter().map(|s| s.wrong.len()).sum::<usize>();
+    let left_out = sections.iter().map(|s| s.left_out.len()).sum::<usize>();
+    println!(
+        "\nraster: {} of {limits} limits held, {wrong} wrong, {left_out} left out; {}",
+        limits - broken,
+        output.join("raster.html").display()
+    );
+    Ok(wrong == 0 && (broken == 0 || !options.strict))
 }

@@ -16,8 +16,54 @@ pub struct Scene {
     pub draws: u32,
     /// Back faces are culled.
     pub cull: bool,
-    /// SRC_ALPHA, ONE_MINUS_SRC_ALPHA without a depth test; otherwise depth LESS.
-    pub blend: bool,
+    /// What is done with a fragment.
+    pub mode: Mode,
+    /// What changes from draw to draw.
+    pub change: Change,
+    /// One colour a triangle, its last vertex's; otherwise interpolated with perspective.
+    pub flat: bool,
+    /// Texture coordinates by vertex; empty without a texture.
+    pub coordinates: Vec<[f32; 2]>,
+}
+
+/// What is done with a fragment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// Depth LESS, written.
+    Depth,
+    /// SRC_ALPHA, ONE_MINUS_SRC_ALPHA without a depth test.
+    Blend,
+    /// Depth LESS, written; no colour.
+    DepthOnly,
+    /// Neither depth nor blending.
+    Plain,
+}
+
+impl Mode {
+    /// All, with the name of each.
+    pub const ALL: [(Mode, &str); 4] =
+        [(Mode::Depth, "depth"), (Mode::Blend, "blend"), (Mode::DepthOnly, "depth-only"), (Mode::Plain, "plain")];
+
+    /// The depth buffer is used.
+    pub fn depth(self) -> bool {
+        matches!(self, Mode::Depth | Mode::DepthOnly)
+    }
+}
+
+/// What changes from draw to draw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// Nothing.
+    None,
+    /// A tint, 1 - (draw & 7) / 16, times the colours.
+    Tint,
+    /// Blending is switched on and off.
+    Blend,
+}
+
+impl Change {
+    /// All, with the name of each.
+    pub const ALL: [(Change, &str); 3] = [(Change::None, "none"), (Change::Tint, "tint"), (Change::Blend, "blend")];
 }
 
 /// Sizes that the hashes are known for.
@@ -34,7 +80,7 @@ const HASHES: [[u64; 3]; 6] = [
 ];
 
 /// splitmix64.
-struct Random(u64);
+pub(super) struct Random(pub u64);
 
 impl Random {
     fn bits(&mut self) -> u32 {
@@ -45,28 +91,28 @@ impl Random {
         ((z ^ (z >> 31)) >> 32) as u32
     }
 
-    fn unit(&mut self) -> f64 {
+    pub fn unit(&mut self) -> f64 {
         (self.bits() >> 8) as f64 * (1.0 / 16777216.0)
     }
 
-    fn range(&mut self, a: f64, b: f64) -> f64 {
+    pub fn range(&mut self, a: f64, b: f64) -> f64 {
         let t = self.unit();
         a + (b - a) * t
     }
 
-    fn color(&mut self) -> u32 {
+    pub fn color(&mut self) -> u32 {
         let r = self.bits();
         let a = 64 + (r >> 24) % 128;
         (r & 0xff_ffff) | (a << 24)
     }
 
     /// About normal: the sum of twelve.
-    fn normal(&mut self) -> f64 {
+    pub fn normal(&mut self) -> f64 {
         (0..12).fold(0.0, |s, _| s + self.unit()) - 6.0
     }
 
     /// A point of the unit disc.
-    fn disc(&mut self) -> [f64; 2] {
+    pub fn disc(&mut self) -> [f64; 2] {
         loop {
             let x = self.range(-1.0, 1.0);
             let y = self.range(-1.0, 1.0);
@@ -92,17 +138,28 @@ fn exp(x: f64) -> f64 {
 }
 
 impl Scene {
-    /// Makes scene `id` for a size; an error where its hash is not the known one.
-    pub fn new(id: u32, size: [u32; 2]) -> Result<Scene, String> {
-        let mut scene = Scene {
+    /// Nothing yet: one draw with depth LESS.
+    pub(super) fn empty(size: [u32; 2]) -> Scene {
+        Scene {
             size,
             positions: Vec::new(),
             colors: Vec::new(),
             indices: Vec::new(),
-            draws: if id == 6 { 500 } else { 1 },
-            cull: id == 5,
-            blend: id == 4,
-        };
+            draws: 1,
+            cull: false,
+            mode: Mode::Depth,
+            change: Change::None,
+            flat: false,
+            coordinates: Vec::new(),
+        }
+    }
+
+    /// Makes scene `id` for a size; an error where its hash is not the known one.
+    pub fn new(id: u32, size: [u32; 2]) -> Result<Scene, String> {
+        let mut scene = Scene::empty(size);
+        (scene.draws, scene.cull) = (if id == 6 { 500 } else { 1 }, id == 5);
+        scene.mode = if id == 4 { Mode::Blend } else { Mode::Depth };
+        scene.change = if id == 6 { Change::Tint } else { Change::None };
         let mut random = Random(0x5EED0000 + id as u64);
         match id {
             1 => scene.patches(&mut random, 512, 64, 1.7320508075688772),
@@ -128,19 +185,19 @@ impl Scene {
         self.indices.len() as u32 / 3
     }
 
-    fn put(&mut self, x: f64, y: f64, z: f64, w: f64, color: u32) {
+    pub(super) fn put(&mut self, x: f64, y: f64, z: f64, w: f64, color: u32) {
         let ndc = [x * 2.0 / self.size[0] as f64 - 1.0, y * 2.0 / self.size[1] as f64 - 1.0];
         self.positions.push([(ndc[0] * w) as f32, (ndc[1] * w) as f32, (z * w) as f32, w as f32]);
         self.colors.push(color);
     }
 
-    fn own_vertices(&mut self) {
+    pub(super) fn own_vertices(&mut self) {
         let first = self.positions.len() as u32 - 3;
         self.indices.extend(first..first + 3);
     }
 
     /// A triangle of an exact area at a random place.
-    fn soup(&mut self, random: &mut Random, area: f64) {
+    pub(super) fn soup(&mut self, random: &mut Random, area: f64) {
         let (cx, cy) = (random.range(0.0, self.size[0] as f64), random.range(0.0, self.size[1] as f64));
         let base = random.range(-0.9, 0.9);
         let (d, twice) = loop {
@@ -184,7 +241,7 @@ impl Scene {
     }
 
     /// Bumpy grids of n x n cells with edges of `edge` pixels, turned at random, all on the screen.
-    fn patches(&mut self, random: &mut Random, count: u32, n: u32, edge: f64) {
+    pub(super) fn patches(&mut self, random: &mut Random, count: u32, n: u32, edge: f64) {
         let [width, height] = self.size.map(f64::from);
         let (side, margin) = (n as f64, edge * n as f64 * 0.70710678 + 2.0);
         for _ in 0..count {
@@ -221,7 +278,7 @@ impl Scene {
     }
 
     /// FNV-1a over the words of positions, colours and indices.
-    fn hash(&self) -> u64 {
+    pub fn hash(&self) -> u64 {
         let positions = self.positions.iter().flatten().map(|v| v.to_bits());
         let words = positions.chain(self.colors.iter().copied()).chain(self.indices.iter().copied());
         words.fold(0xCBF29CE484222325, |h, w| (h ^ w as u64).wrapping_mul(0x100000001B3))
