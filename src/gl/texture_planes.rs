@@ -124,9 +124,11 @@ impl TextureObject {
 
     /// Brings the texels of all levels up to date.
     pub(crate) fn take_from_planes(&mut self) {
-        let images = self.faces.iter_mut().flatten().flatten();
-        // All of them, without stopping at the first that changed.
-        if images.fold(false, |changed, image| image.take_from_planes() || changed) {
+        let mut changed = false;
+        for image in self.faces.iter_mut().flatten().flatten() {
+            changed |= image.take_from_planes();
+        }
+        if changed {
             self.levels_changed();
         }
     }
