@@ -93,7 +93,7 @@ impl Study {
         let depth = depth_tested(batch)?;
         let Study { pool, level, shaded, screen, chunks, image } = self;
         pool.install(|| {
-            front(batch, shaded, screen, chunks, image.bins, way.sort == Sort::Middle);
+            front(batch, shaded, screen, chunks, image.bins, way.sort == Sort::Middle, *level);
             image.clear();
             let job =
                 Job { method: way.method, chunks, bin: None, depth, region: [0, 0, image.size[0] as i32 - 1, image.size[1] as i32 - 1] };
@@ -142,6 +142,7 @@ fn depth_tested(batch: &Batch) -> Result<bool, String> {
 }
 
 /// The shipped stages up to set-up, and bin lists where they are wanted.
+#[allow(clippy::too_many_arguments)]
 fn front(
     batch: &Batch,
     shaded: &mut Vec<[f32; 4]>,
@@ -149,10 +150,11 @@ fn front(
     chunks: &mut Vec<Chunk>,
     bins: [u32; 2],
     with_bins: bool,
+    level: Level,
 ) {
     let (screen_base, blocks) = blocks(batch, shaded, screen);
-    blocks.into_par_iter().with_min_len(4).for_each_init(VertexWorker::default, |worker, block| worker.block(batch, block));
-    let input = SetupInput { batch, shaded, screen, screen_base: &screen_base, top_first: true };
+    blocks.into_par_iter().with_min_len(4).for_each_init(VertexWorker::default, |worker, block| worker.block(batch, block, level));
+    let input = SetupInput { batch, shaded, screen, screen_base: &screen_base, top_first: true, level };
     let count = batch.primitives.len();
     chunks.resize_with(count.div_ceil(RUN), Chunk::default);
     chunks.par_iter_mut().enumerate().for_each(|(k, chunk)| {

@@ -47,11 +47,11 @@ fn scene(depth: bool) -> Batch {
 
 /// The shipped executor's colour and depth.
 fn shipped(batch: &Batch) -> [Vec<u32>; 2] {
-    let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true };
+    let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true, samples: 1 };
     let mut surface = CpuDevice::with(1, Level::best()).surface(SIZE[0], SIZE[1], format);
     surface.execute(batch.clone());
     let pixels = surface.pixels();
-    [pixels.color.clone(), pixels.depth_stencil.iter().map(|d| d & 0xff_ffff).collect()]
+    [pixels.color.to_vec(), pixels.depth_stencil.iter().map(|d| d & 0xff_ffff).collect()]
 }
 
 #[test]
