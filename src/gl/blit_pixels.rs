@@ -102,8 +102,30 @@ pub(crate) fn blit(from: &View<&[u32]>, to: &mut View<&mut [u32]>, source: Corne
         }
         _ => {
             let columns = x.nearest(from.width);
+            let run = straight(&columns);
             let mut mean = vec![0; from.words];
             for (row, from_row) in y.nearest(from.height) {
+                // Whole rows, where nothing is scaled, flipped or converted.
+                match (run, work) {
+                    (Some([to_first, from_first, count]), Work::Color { from: a, to: b, .. }) if a == b && mask == 15 => {
+                        if from.samples > 1 && to.samples == 1 && is_bytes(a) {
+                            let first = |s| from.index(s, from_first, from_row);
+                            let all: Vec<&[u32]> = (0..from.samples).map(|s| &from.rows[first(s)..first(s) + count]).collect();
+                            let at = to.index(0, to_first, row);
+                            samples::means_of_bytes(&all, &mut to.rows[at..at + count]);
+                            continue;
+                        }
+                        if from.samples == 1 || from.samples == to.samples {
+                            for sample in 0..to.samples {
+                                let (at, words) = (to.index(sample, to_first, row), count * to.words);
+                                let first = from.index(sample.min(from.samples - 1), from_first, from_row);
+                                to.rows[at..at + words].copy_from_slice(&from.rows[first..first + words]);
+                            }
+                            continue;
+                        }
+                    }
+                    _ => {}
+                }
                 for &(column, from_column) in &columns {
                     let resolves = from.samples > 1 && to.samples == 1 && matches!(work, Work::Color { .. });
                     if let (true, Work::Color { from: format, .. }) = (resolves, work) {
@@ -120,6 +142,17 @@ pub(crate) fn blit(from: &View<&[u32]>, to: &mut View<&mut [u32]>, source: Corne
             }
         }
     }
+}
+
+/// First pixel, first source pixel and their number, where pixels and sources run side by side.
+fn straight(columns: &[(usize, usize)]) -> Option<[usize; 3]> {
+    let &(first, from) = columns.first()?;
+    let side_by_side = columns.iter().enumerate().all(|(k, &at)| at == (first + k, from + k));
+    side_by_side.then_some([first, from, columns.len()])
+}
+
+fn is_bytes(format: ColorFormat) -> bool {
+    matches!(format, ColorFormat::Rgba8 | ColorFormat::Rgbx8)
 }
 
 /// One sample.

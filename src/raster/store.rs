@@ -126,8 +126,8 @@ impl Store {
 pub fn resolve(format: PlaneFormat, bin: &mut [u32], from: &[u32]) {
     let PlaneFormat::Color(color) = format else { return bin.copy_from_slice(&from[..bin.len()]) };
     let planes: Vec<&[u32]> = from.chunks_exact(bin.len()).collect();
-    if matches!(color, ColorFormat::Rgba8 | ColorFormat::Rgbx8) && planes.len().is_power_of_two() {
-        return resolve_bytes(bin, &planes);
+    if matches!(color, ColorFormat::Rgba8 | ColorFormat::Rgbx8) {
+        return samples::means_of_bytes(&planes, bin);
     }
     let words = format.words();
     let mut pixel: Vec<&[u32]> = Vec::with_capacity(planes.len());
@@ -135,25 +135,6 @@ pub fn resolve(format: PlaneFormat, bin: &mut [u32], from: &[u32]) {
         pixel.clear();
         pixel.extend(planes.iter().map(|p| &p[k * words..][..words]));
         samples::mean(color, &pixel, out);
-    }
-}
-
-/// The same of four bytes a pixel, two bytes at a time: 16 bits hold the sum of 16 samples.
-fn resolve_bytes(bin: &mut [u32], planes: &[&[u32]]) {
-    let shift = planes.len().ilog2();
-    let half = (planes.len() as u32 / 2) * 0x0001_0001;
-    let low = 0x00ff_00ff;
-    for (k, out) in bin.chunks_exact_mut(64).enumerate() {
-        let (mut even, mut odd) = ([half; 64], [half; 64]);
-        for plane in planes {
-            for (i, word) in plane[k * 64..][..64].iter().enumerate() {
-                even[i] += word & low;
-                odd[i] += word >> 8 & low;
-            }
-        }
-        for (i, out) in out.iter_mut().enumerate() {
-            *out = even[i] >> shift & low | (odd[i] >> shift & low) << 8;
-        }
     }
 }
 
@@ -175,20 +156,6 @@ mod tests {
             let mut back = vec![0; rows.len()];
             store.read(&mut back);
             assert!(rows == back);
-        }
-    }
-
-    #[test]
-    fn both_ways_to_resolve_agree() {
-        let format = PlaneFormat::Color(ColorFormat::Rgba8);
-        let from: Vec<u32> = (0..8 * BIN_PIXELS as u32).map(|k| k.wrapping_mul(0x9e37_79b9)).collect();
-        let mut bin = vec![0; BIN_PIXELS];
-        resolve(format, &mut bin, &from);
-        for (k, out) in bin.iter().enumerate() {
-            let pixel: Vec<&[u32]> = (0..8).map(|s| &from[s * BIN_PIXELS + k..][..1]).collect();
-            let mut mean = [0];
-            samples::mean(ColorFormat::Rgba8, &pixel, &mut mean);
-            assert_eq!(*out, mean[0]);
         }
     }
 }
