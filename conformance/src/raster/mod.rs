@@ -120,10 +120,16 @@ fn run(case: Case, options: &Options, benches: &[Bench], implementations: &mut [
 
 /// Measures; false where a picture is wrong or, with `--strict`, a limit is broken.
 pub fn main(options: &Options) -> Result<bool, Error> {
-    let command = std::env::args().skip(1).fold("tepui-conformance".to_owned(), |c, a| c + " " + &a);
+    // Variables of the environment decide as much as arguments do.
+    let mut variables: Vec<String> =
+        std::env::vars().filter(|(k, _)| k.starts_with("TEPUI_") || k == "VK_DRIVER_FILES").map(|(k, v)| format!("{k}={v} ")).collect();
+    variables.sort();
+    let command = std::env::args().skip(1).fold(variables.concat() + "tepui-conformance", |c, a| c + " " + &a);
     let output = options.output.clone().unwrap_or_else(|| root().join("report"));
     let benches = Bench::all(options.with_cpu);
     let mut about: Vec<(String, String)> = benches.iter().map(|b| (b.short().to_owned(), b.name())).collect();
+    let seeds = "splitmix64 from 0x5EED0000 + scene (S1 to S6), 0x5EED1000 + case (sweeps), 0x5EED2000 + scene (T1 to T6)";
+    about.push(("Seeds".into(), seeds.into()));
     about.push(("Frames".into(), format!("{} of each, the median is shown", options.frames)));
     let mut implementations = against::implementations(options, &output, &options.cases)?;
     about.extend(implementations.iter().map(|i| (i.runner.label.to_owned(), i.about.clone())));
