@@ -20,7 +20,6 @@ pub enum Bench {
 }
 
 /// What was measured of a batch.
-#[derive(Clone, Debug)]
 pub struct Measure {
     /// Milliseconds: least, median, greatest.
     pub ms: [f64; 3],
@@ -28,6 +27,8 @@ pub struct Measure {
     pub stages: Vec<(&'static str, f64)>,
     /// Bytes of buffers by name; empty on the CPU.
     pub memory: Vec<(&'static str, u64)>,
+    /// What the last frame that was measured has drawn.
+    pub pixels: Option<Picture>,
 }
 
 impl Measure {
@@ -84,6 +85,20 @@ pub fn least_median_greatest(mut times: Vec<f64>) -> [f64; 3] {
     }
 }
 
+/// Milliseconds of frames. A batch that the device cannot hold in one piece takes no time at all when it is timed as one: that is no
+/// measurement.
+fn frame_times(frames: &[Vec<StageTime>]) -> Result<[f64; 3], String> {
+    if frames.is_empty() {
+        return Err("the device has no time stamps".into());
+    }
+    let ms = least_median_greatest(frames.iter().map(|f| f.iter().map(|t| t.ms).sum()).collect());
+    if ms[0] > 0.0 {
+        Ok(ms)
+    } else {
+        Err("the time stamps say that nothing was drawn: the batch does not fit this device in one piece".into())
+    }
+}
+
 fn medians(frames: &[Vec<StageTime>]) -> Vec<(&'static str, f64)> {
     let Some(first) = frames.first() else { return Vec::new() };
     let of = |name: &str| frames.iter().filter_map(|f| f.iter().find(|t| t.name == name).map(|t| t.ms)).collect();
@@ -135,12 +150,10 @@ impl Bench {
             Bench::Gpu(gpu, _) => {
                 let mut surface = gpu.gpu_surface(size[0], size[1], format);
                 let whole = surface.timed(batch, frames, false);
-                if whole.is_empty() {
-                    return Err("the device has no time stamps".into());
-                }
+                let ms = frame_times(&whole)?;
                 let stages = medians(&surface.timed(batch, frames.clamp(1, 5), true));
-                let ms = least_median_greatest(whole.iter().map(|f| f.iter().map(|t| t.ms).sum()).collect());
-                Ok(Measure { ms, stages, memory: surface.memory() })
+                let (memory, pixels) = (surface.memory(), Some(Picture::of(&mut surface)));
+                Ok(Measure { ms, stages, memory, pixels })
             }
             Bench::Cpu(cpu) => {
                 let mut surface = cpu.surface(size[0], size[1], format);
@@ -151,7 +164,8 @@ impl Bench {
                     surface.execute(batch);
                     start.elapsed().as_secs_f64() * 1e3
                 });
-                Ok(Measure { ms: least_median_greatest(times.collect()), stages: Vec::new(), memory: Vec::new() })
+                let ms = least_median_greatest(times.collect());
+                Ok(Measure { ms, stages: Vec::new(), memory: Vec::new(), pixels: None })
             }
         }
     }
@@ -165,11 +179,10 @@ impl Bench {
                 let mut sum = [0.0; 3];
                 let mut surface = gpu.gpu_surface(size[0], size[1], format);
                 for batch in batches {
-                    let times = surface.timed(batch, frames, false);
-                    let ms = least_median_greatest(times.iter().map(|f| f.iter().map(|t| t.ms).sum()).collect());
+                    let ms = frame_times(&surface.timed(batch, frames, false))?;
                     (0..3).for_each(|k| sum[k] += ms[k]);
                 }
-                if sum[1].is_nan() { Err("the device has no time stamps".into()) } else { Ok(sum) }
+                Ok(sum)
             }
             Bench::Cpu(cpu) => {
                 let mut surface = cpu.surface(size[0], size[1], format);
@@ -183,21 +196,13 @@ impl Bench {
             }
         }
     }
-
-    /// The picture of a batch.
-    pub fn pixels(&self, batch: &Batch, size: [u32; 2]) -> Result<Picture, String> {
-        let mut surface: Box<dyn Surface> = match self {
-            Bench::Gpu(gpu, _) => gpu.surface(size[0], size[1], format(1)?),
-            Bench::Cpu(cpu) => cpu.surface(size[0], size[1], format(1)?),
-        };
-        surface.execute(batch.clone());
-        Ok(Picture::of(&mut *surface))
-    }
 }
 
 /// The CPU executor's picture, to compare with.
 pub fn reference(batch: &Batch, size: [u32; 2]) -> Result<Picture, String> {
-    Bench::Cpu(CpuDevice::new()).pixels(batch, size)
+    let mut surface = CpuDevice::new().surface(size[0], size[1], format(1)?);
+    surface.execute(batch.clone());
+    Ok(Picture::of(&mut *surface))
 }
 
 /// Pixels covered by one alone, pixels of another colour, greatest difference of a component, of depth.
@@ -214,4 +219,17 @@ pub fn difference(a: &Picture, b: &Picture) -> [u32; 4] {
         d[3] = d[3].max(a.abs_diff(*b));
     }
     d
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_that_take_no_time_are_no_measurement() {
+        let frame = |ms| vec![StageTime { name: "end", ms }];
+        assert!(frame_times(&[]).is_err());
+        assert!(frame_times(&[frame(0.0), frame(1.0)]).is_err());
+        assert_eq!(frame_times(&[frame(3.0), frame(1.0), frame(2.0)]), Ok([1.0, 2.0, 3.0]));
+    }
 }

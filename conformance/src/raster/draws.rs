@@ -20,7 +20,7 @@ fn on_device(bench: &Bench, scene: &Scene, frames: usize) -> Result<Measure, Str
         [batch] => bench.measure(batch, scene.size, 1, frames),
         more => {
             let ms = bench.frames_of(more, scene.size, frames)?;
-            Ok(Measure { ms, stages: Vec::new(), memory: Vec::new() })
+            Ok(Measure { ms, stages: Vec::new(), memory: Vec::new(), pixels: None })
         }
     }
 }

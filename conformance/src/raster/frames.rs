@@ -33,9 +33,9 @@ fn limits(section: &mut Section, id: u32, size: [u32; 2], ms: f64) {
     }
 }
 
-fn check(section: &mut Section, bench: &Bench, scene: &Scene, id: u32) -> Result<(), String> {
-    let batch = batch(scene)?;
-    let [coverage, _, color, depth] = difference(&reference(&batch, scene.size)?, &bench.pixels(&batch, scene.size)?);
+fn check(section: &mut Section, measure: &Measure, scene: &Scene, id: u32) -> Result<(), String> {
+    let Some(pixels) = &measure.pixels else { return Ok(()) };
+    let [coverage, _, color, depth] = difference(&reference(&batch(scene)?, scene.size)?, pixels);
     if coverage > 0 || color > 1 || depth > 1 {
         section.wrong(format!(
             "S{id} at {}x{} against the CPU executor: {coverage} pixels of coverage, colour by up to {color}, depth by up to {depth}",
@@ -107,8 +107,8 @@ pub fn run(options: &Options, benches: &[Bench]) -> Result<Section, String> {
                 if bench.is_hardware() && (id, size[1]) == (3, 1080) && matches!(samples, 4 | 8) {
                     section.limit(format!("S3 with {samples} samples, ms"), m.ms[1], if samples == 4 { 0.75 } else { 1.1 });
                 }
-                if options.check && samples == 1 && !matches!(bench, Bench::Cpu(_)) {
-                    check(&mut section, bench, &scene, id)?;
+                if options.check && samples == 1 {
+                    check(&mut section, &m, &scene, id)?;
                 }
             }
         }
