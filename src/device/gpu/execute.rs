@@ -161,8 +161,9 @@ impl Executor {
         if (size, format.samples) != (self.size, self.format.samples) {
             self.room = Room::new(self.kernels.config.buffer_limit, bins_of(size));
             self.buffers.keys = None;
+            self.bound = None;
         }
-        if color != self.buffers.color || depth != self.buffers.depth || self.buffers.keys.is_none() {
+        if color != self.buffers.color || depth != self.buffers.depth {
             self.bound = None;
         }
         (self.buffers.color, self.buffers.depth) = (color, depth);
