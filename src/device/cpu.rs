@@ -10,7 +10,7 @@ use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
 
-use super::plane::{self, Storage};
+use super::plane::{self, Resolved, Storage};
 use super::{Device, Plane, PlaneFormat, SharedPlane, Surface, Target, cpu_stats, lines};
 use crate::draw::{Batch, Step, recycle};
 use crate::raster::fine::{Plan, Scene, Work, Worker, run_bin};
@@ -107,8 +107,7 @@ struct Scratch {
 pub struct CpuSurface {
     shared: Arc<Shared>,
     target: Target,
-    /// What the samples of a pixel amount to, made when it is first asked for, and the version of the samples.
-    resolved: Option<(SharedPlane, u64)>,
+    resolved: Resolved,
     scratch: Scratch,
 }
 
@@ -129,7 +128,7 @@ impl Storage for Store {
 impl CpuSurface {
     /// A surface of a device.
     pub fn new(device: &CpuDevice, target: Target) -> CpuSurface {
-        CpuSurface { shared: device.shared.clone(), target, resolved: None, scratch: Scratch::default() }
+        CpuSurface { shared: device.shared.clone(), target, resolved: Resolved::default(), scratch: Scratch::default() }
     }
 
     /// Runs a batch whose vertices are shaded already: the stages after the vertex stage.
@@ -158,7 +157,7 @@ impl Surface for CpuSurface {
 
     fn retarget(&mut self, target: Target) {
         self.target = target;
-        self.resolved = None;
+        self.resolved = Resolved::default();
     }
 
     fn execute(&mut self, batch: Batch) {
@@ -171,16 +170,9 @@ impl Surface for CpuSurface {
 
     fn resolved(&mut self) -> &SharedPlane {
         let Target { size, format, .. } = self.target;
-        if format.samples == 1 {
-            return &self.target.color;
-        }
-        let version = plane::lock(&self.target.color).version();
-        // Of no version at first.
-        let (plane, of) = self.resolved.get_or_insert_with(|| (new_plane(size, 1, PlaneFormat::Color(format.color)), u64::MAX));
-        if std::mem::replace(of, version) != version {
-            resolve(&self.target.color, plane, self.shared.pool());
-        }
-        plane
+        let pool = self.shared.pool();
+        let new = || new_plane(size, 1, PlaneFormat::Color(format.color));
+        self.resolved.of(&self.target, new, |from, to| resolve(from, to, pool))
     }
 
     fn copy_color(&mut self, out: &mut [u8], stride: usize, bottom_up: bool) {

@@ -27,6 +27,11 @@ pub enum ColorFormat {
 }
 
 impl ColorFormat {
+    /// A pixel is one word of four bytes, and is blended as such.
+    pub fn is_bytes(self) -> bool {
+        matches!(self, ColorFormat::Rgba8 | ColorFormat::Rgbx8)
+    }
+
     /// Words a pixel.
     pub fn words(self) -> usize {
         match self {

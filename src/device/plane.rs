@@ -164,6 +164,31 @@ impl Target {
     }
 }
 
+/// The colour of a target with one sample a pixel, kept until its samples change.
+#[derive(Default)]
+pub struct Resolved(Option<(SharedPlane, u64)>);
+
+impl Resolved {
+    /// The target's own plane where that has one sample; else one that `new` makes and `resolve` fills from the target's.
+    pub fn of<'a>(
+        &'a mut self,
+        target: &'a Target,
+        new: impl FnOnce() -> SharedPlane,
+        resolve: impl FnOnce(&SharedPlane, &SharedPlane),
+    ) -> &'a SharedPlane {
+        if target.format.samples == 1 {
+            return &target.color;
+        }
+        let version = lock(&target.color).version();
+        // Of no version at first.
+        let (plane, of) = self.0.get_or_insert_with(|| (new(), u64::MAX));
+        if std::mem::replace(of, version) != version {
+            resolve(&target.color, plane);
+        }
+        plane
+    }
+}
+
 /// A locked plane's rows (see [`Plane::rows`]); whoever changes them makes them the newer copy.
 pub enum Rows<'a> {
     /// There is no such plane.

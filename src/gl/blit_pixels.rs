@@ -1,6 +1,8 @@
 //! The pixel work of glBlitFramebuffer: rectangles of one view copied to another, flipped, scaled, resolved.
 
+use super::framebuffer::put_color;
 use crate::device::{ColorFormat, samples};
+use crate::raster::formats::unpack;
 
 /// Rows of words, sample by sample: sample s of pixel (x, y) begins at `((s * height + y) * width + x) * words`.
 pub(crate) struct View<T> {
@@ -90,12 +92,12 @@ pub(crate) fn blit(from: &View<&[u32]>, to: &mut View<&mut [u32]>, source: Corne
             let columns = x.linear(from.width);
             for (row, [y0, y1], t) in y.linear(from.height) {
                 for &(column, [x0, x1], s) in &columns {
-                    let read = |x, y| read(format, &from.rows[from.index(0, x, y)..]);
+                    let read = |x, y| unpack(format, &from.rows[from.index(0, x, y)..]);
                     let mix = |a: [f32; 4], b: [f32; 4], t: f32| -> [f32; 4] { std::array::from_fn(|k| a[k] + (b[k] - a[k]) * t) };
                     let color = mix(mix(read(x0, y0), read(x1, y0), s), mix(read(x0, y1), read(x1, y1), s), t);
                     for sample in 0..to.samples {
                         let at = to.index(sample, column, row);
-                        write(format_to, &mut to.rows[at..], color, mask);
+                        put_color(format_to, &mut to.rows[at..], color, mask);
                     }
                 }
             }
@@ -108,7 +110,7 @@ pub(crate) fn blit(from: &View<&[u32]>, to: &mut View<&mut [u32]>, source: Corne
                 // Whole rows, where nothing is scaled, flipped or converted.
                 match (run, work) {
                     (Some([to_first, from_first, count]), Work::Color { from: a, to: b, .. }) if a == b && mask == 15 => {
-                        if from.samples > 1 && to.samples == 1 && is_bytes(a) {
+                        if from.samples > 1 && to.samples == 1 && a.is_bytes() {
                             let first = |s| from.index(s, from_first, from_row);
                             let all: Vec<&[u32]> = (0..from.samples).map(|s| &from.rows[first(s)..first(s) + count]).collect();
                             let at = to.index(0, to_first, row);
@@ -151,45 +153,12 @@ fn straight(columns: &[(usize, usize)]) -> Option<[usize; 3]> {
     side_by_side.then_some([first, from, columns.len()])
 }
 
-fn is_bytes(format: ColorFormat) -> bool {
-    matches!(format, ColorFormat::Rgba8 | ColorFormat::Rgbx8)
-}
-
 /// One sample.
 fn copy(from: &[u32], to: &mut [u32], work: Work, mask: u32) {
     match work {
         Work::Words { mask } => to[0] = to[0] & !mask | from[0] & mask,
         Work::Color { from: a, to: b, .. } if a == b && mask == 15 => to[..a.words()].copy_from_slice(&from[..a.words()]),
-        Work::Color { from: a, to: b, .. } => write(b, to, read(a, from), mask),
-    }
-}
-
-/// A colour as components in [0, 1].
-fn read(format: ColorFormat, pixel: &[u32]) -> [f32; 4] {
-    let part = |word: u32, shift: u32, bits: u32| (word >> shift & ((1 << bits) - 1)) as f32 / ((1u32 << bits) - 1) as f32;
-    match format {
-        ColorFormat::Rgba8 => [0, 8, 16, 24].map(|shift| part(pixel[0], shift, 8)),
-        ColorFormat::Rgbx8 => [part(pixel[0], 0, 8), part(pixel[0], 8, 8), part(pixel[0], 16, 8), 1.0],
-        ColorFormat::Rgb565 => [part(pixel[0], 0, 5), part(pixel[0], 5, 6), part(pixel[0], 11, 5), 1.0],
-        ColorFormat::Rgba16 => [part(pixel[0], 0, 16), part(pixel[0], 16, 16), part(pixel[1], 0, 16), part(pixel[1], 16, 16)],
-        ColorFormat::Rgba32f => [0, 1, 2, 3].map(|k| f32::from_bits(pixel[k])),
-    }
-}
-
-/// Writes the components of a mask, rounded to nearest.
-fn write(format: ColorFormat, pixel: &mut [u32], color: [f32; 4], mask: u32) {
-    let mut put = |word: usize, shift: u32, bits: u32, component: usize| {
-        if mask >> component & 1 != 0 {
-            let max = ((1u32 << bits) - 1) as f32;
-            let new = (color[component].clamp(0.0, 1.0) * max).round_ties_even() as u32;
-            pixel[word] = pixel[word] & !(((1 << bits) - 1) << shift) | new << shift;
-        }
-    };
-    match format {
-        ColorFormat::Rgba8 | ColorFormat::Rgbx8 => (0..4).for_each(|k| put(0, 8 * k as u32, 8, k)),
-        ColorFormat::Rgb565 => [(0, 5), (5, 6), (11, 5)].into_iter().enumerate().for_each(|(k, (shift, bits))| put(0, shift, bits, k)),
-        ColorFormat::Rgba16 => (0..4).for_each(|k| put(k / 2, 16 * (k as u32 & 1), 16, k)),
-        ColorFormat::Rgba32f => (0..4).filter(|k| mask >> k & 1 != 0).for_each(|k| pixel[k] = color[k].to_bits()),
+        Work::Color { from: a, to: b, .. } => put_color(b, to, unpack(a, from), mask),
     }
 }
 

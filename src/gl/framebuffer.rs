@@ -87,15 +87,18 @@ pub(crate) fn read_color(pixels: &Pixels, rect: Rect) -> Groups {
 
 /// Writes one colour to all samples of a pixel, components of `mask` (bits 0 to 3: RGBA) only; `index` counts pixels.
 pub(crate) fn write_color(pixels: &mut Pixels, index: usize, color: [f32; 4], mask: u32) {
-    pixels.samples().for_each(|sample| write_sample(pixels, sample + index, color, mask));
+    let format = pixels.format.color;
+    for sample in pixels.samples() {
+        put_color(format, &mut pixels.color[(sample + index) * format.words()..], color, mask);
+    }
 }
 
-fn write_sample(pixels: &mut Pixels, index: usize, color: [f32; 4], mask: u32) {
+/// Puts components of `mask` (bits 0 to 3: RGBA) of a colour into a pixel's words, rounded to nearest.
+pub(crate) fn put_color(format: ColorFormat, out: &mut [u32], color: [f32; 4], mask: u32) {
     let select = |mask: u32, bits: [u32; 4]| (0..4).filter(|k| mask >> k & 1 != 0).fold(0, |m, k| m | bits[k as usize]);
     let blend = |old: &mut u32, new: u32, bits: u32| *old = *old & !bits | new & bits;
     let unorm = |c: f32, max: f32| (c.clamp(0.0, 1.0) * max).round_ties_even() as u32;
-    let out = &mut pixels.color[index * pixels.format.color.words()..];
-    match pixels.format.color {
+    match format {
         ColorFormat::Rgba8 | ColorFormat::Rgbx8 => {
             blend(&mut out[0], to_rgba8(color), select(mask, [0xff, 0xff00, 0xff_0000, 0xff00_0000]))
         }

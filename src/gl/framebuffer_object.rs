@@ -1,9 +1,8 @@
 //! Framebuffer objects (ARB_framebuffer_object; section numbers are those of its changes to chapter 4): names, binding, and which
 //! buffers are drawn to and read from. They belong to one context; what is attached to them is shared.
 
-use std::collections::HashMap;
-
 use super::enums::*;
+use super::object_names::ObjectNames;
 use super::renderbuffer::SharedRenderbuffer;
 use super::{Context, dirty};
 
@@ -63,9 +62,7 @@ impl Framebuffer {
 /// What a context knows about framebuffer objects.
 #[derive(Default)]
 pub(crate) struct FramebufferState {
-    /// By name; `None` for names that glGenFramebuffers gave out and nothing bound yet.
-    objects: HashMap<u32, Option<Framebuffer>>,
-    last: u32,
+    objects: ObjectNames<Framebuffer>,
     /// GL_DRAW_FRAMEBUFFER_BINDING; 0 is the window.
     pub draw: u32,
     /// GL_READ_FRAMEBUFFER_BINDING
@@ -79,21 +76,11 @@ pub(crate) struct FramebufferState {
 impl FramebufferState {
     /// The object of a name; `None` for 0 and for what was never bound.
     pub fn get(&self, name: u32) -> Option<&Framebuffer> {
-        self.objects.get(&name)?.as_ref()
+        self.objects.get(name)
     }
 
     pub fn get_mut(&mut self, name: u32) -> Option<&mut Framebuffer> {
-        self.objects.get_mut(&name)?.as_mut()
-    }
-
-    fn generate(&mut self) -> u32 {
-        loop {
-            self.last = self.last.wrapping_add(1);
-            if self.last != 0 && !self.objects.contains_key(&self.last) {
-                self.objects.insert(self.last, None);
-                return self.last;
-            }
-        }
+        self.objects.get_mut(name)
     }
 
     /// The name that a target of glBindFramebuffer and its like stands for.
@@ -123,7 +110,7 @@ impl Context {
             self.set_error(GL_INVALID_VALUE, "glGenFramebuffers");
             return Vec::new();
         }
-        (0..n).map(|_| self.fbo.generate()).collect()
+        (0..n).map(|_| self.fbo.objects.generate()).collect()
     }
 
     /// glDeleteFramebuffers. `n` is the count as given. Instead of a bound one the window is bound.
@@ -141,7 +128,7 @@ impl Context {
             if self.fbo.read == name {
                 self.bind_framebuffers(None, Some(0));
             }
-            self.fbo.objects.remove(&name);
+            self.fbo.objects.remove(name);
         }
     }
 
@@ -166,10 +153,10 @@ impl Context {
             _ => return self.set_error(GL_INVALID_ENUM, "glBindFramebuffer: target"),
         };
         if name != 0 {
-            if !any_name && !self.fbo.objects.contains_key(&name) {
+            if !any_name && !self.fbo.objects.is_name(name) {
                 return self.set_error(GL_INVALID_OPERATION, "glBindFramebuffer of a name that was not generated");
             }
-            self.fbo.objects.entry(name).or_default().get_or_insert_default();
+            self.fbo.objects.bind(name);
         }
         self.bind_framebuffers(draw, read);
     }

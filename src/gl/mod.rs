@@ -45,6 +45,7 @@ pub mod list;
 pub mod list_names;
 pub mod matrix;
 pub mod mipmap;
+mod object_names;
 pub mod pixel_format;
 pub mod pixel_objects;
 pub(crate) mod pixel_record;

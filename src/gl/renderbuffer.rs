@@ -1,11 +1,11 @@
 //! Renderbuffers (ARB_framebuffer_object, 4.4.2): names, storage, queries.
 
-use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard};
 
 use super::Context;
 use super::enums::*;
 use super::framebuffer_object::ImageFormat;
+use super::object_names::ObjectNames;
 use crate::device::{Device, SharedPlane, plane, samples};
 
 /// GL_MAX_RENDERBUFFER_SIZE
@@ -62,26 +62,12 @@ pub(crate) fn lock(renderbuffer: &SharedRenderbuffer) -> MutexGuard<'_, Renderbu
 
 /// The renderbuffers of a share group.
 #[derive(Default)]
-pub struct RenderbufferTable {
-    /// By name; `None` for names that glGenRenderbuffers gave out and nothing bound yet.
-    objects: HashMap<u32, Option<SharedRenderbuffer>>,
-    last: u32,
-}
+pub struct RenderbufferTable(ObjectNames<SharedRenderbuffer>);
 
 impl RenderbufferTable {
     /// The renderbuffer of a name that was bound before.
     pub(crate) fn get(&self, name: u32) -> Option<&SharedRenderbuffer> {
-        self.objects.get(&name)?.as_ref()
-    }
-
-    fn generate(&mut self) -> u32 {
-        loop {
-            self.last = self.last.wrapping_add(1);
-            if self.last != 0 && !self.objects.contains_key(&self.last) {
-                self.objects.insert(self.last, None);
-                return self.last;
-            }
-        }
+        self.0.get(name)
     }
 }
 
@@ -96,7 +82,7 @@ impl Context {
             return Vec::new();
         }
         let mut shared = self.shared();
-        (0..n).map(|_| shared.renderbuffers.generate()).collect()
+        (0..n).map(|_| shared.renderbuffers.0.generate()).collect()
     }
 
     /// glDeleteRenderbuffers. `n` is the count as given. What is attached to a bound framebuffer is detached; other framebuffers keep the
@@ -109,7 +95,7 @@ impl Context {
             return self.set_error(GL_INVALID_VALUE, "glDeleteRenderbuffers");
         }
         for &name in names.iter().filter(|&&name| name != 0) {
-            let removed = self.shared().renderbuffers.objects.remove(&name).flatten();
+            let removed = self.shared().renderbuffers.0.remove(name);
             if self.fbo.renderbuffer.as_ref().is_some_and(|(bound, _)| *bound == name) {
                 self.fbo.renderbuffer = None;
             }
@@ -141,8 +127,8 @@ impl Context {
             return;
         }
         let mut shared = self.shared();
-        let known = shared.renderbuffers.objects.contains_key(&name);
-        let object = (known || any_name).then(|| shared.renderbuffers.objects.entry(name).or_default().get_or_insert_default().clone());
+        let names = &mut shared.renderbuffers.0;
+        let object = (any_name || names.is_name(name)).then(|| names.bind(name).clone());
         drop(shared);
         match object {
             Some(object) => self.fbo.renderbuffer = Some((name, object)),

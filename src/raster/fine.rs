@@ -10,7 +10,7 @@ use super::setup::Chunk;
 use super::simd::{Simd, eight, prefetch};
 use super::store::BinPixels;
 use super::tile::{FULL, LocalEdges, rectangle_mask};
-use super::write::{Color, is_bytes, write};
+use super::write::{Color, write};
 use super::{blend, clear, depth_stencil, fast, modulate, samples};
 use crate::device::samples::MAX_SAMPLES;
 use crate::device::{ColorFormat, SurfaceFormat};
@@ -59,7 +59,7 @@ pub struct Plan<'a> {
     /// There is any depth or stencil test.
     pub tests: bool,
     /// Rows of the polygon stipple.
-    pub stipple: Option<&'a [u32; 32]>,
+    stipple: Option<&'a [u32; 32]>,
     /// Largest depth value.
     pub depth_scale: f32,
     /// What depth is clamped to.
@@ -102,7 +102,9 @@ impl<'a> Plan<'a> {
             program,
             direct,
             modulate,
-            early: state.flags & fragment_flags::ALPHA_TEST == 0 && !program.discards && !program.writes_depth,
+            early: state.flags & (fragment_flags::ALPHA_TEST | fragment_flags::ALPHA_TO_COVERAGE) == 0
+                && !program.discards
+                && !program.writes_depth,
             tests: state.flags & (fragment_flags::DEPTH_TEST | fragment_flags::STENCIL_TEST) != 0,
             stipple: batch.polygon_stipples.get(raster.polygon_stipple as usize),
             depth_scale: depth_stencil::depth_scale(format.depth),
@@ -282,6 +284,49 @@ fn triangle<S: Simd>(worker: &mut Worker, scene: &Scene, t: &Triangle, planes: &
     }
 }
 
+/// The part of a bin that a triangle's samples may lie in.
+pub struct Extent {
+    origin: [i32; 2],
+    /// First and last column and row, from the bin's first.
+    pub columns: (i32, i32),
+    /// See `columns`.
+    pub rows: (i32, i32),
+}
+
+impl Extent {
+    /// Of a triangle in a bin.
+    #[inline(always)]
+    pub fn new(t: &Triangle, bin: &BinPixels) -> Extent {
+        let within = |span: u32, first: i32| ((span & 0xffff) as i32 - first, (span >> 16) as i32 - first);
+        Extent { origin: bin.origin, columns: within(t.columns, bin.origin[0]), rows: within(t.rows, bin.origin[1]) }
+    }
+
+    /// The tiles that columns or rows lie in.
+    #[inline(always)]
+    pub fn tiles(&self, (first, last): (i32, i32)) -> std::ops::RangeInclusive<i32> {
+        first.max(0) / 8..=last.min(63) / 8
+    }
+
+    /// First and last row of a row of tiles.
+    #[inline(always)]
+    pub fn rows_of(&self, ty: i32) -> (i32, i32) {
+        ((self.rows.0 - ty * 8).max(0), (self.rows.1 - ty * 8).min(7))
+    }
+
+    /// The pixels of a tile that may be drawn at all: the scissor and the polygon stipple.
+    #[inline(always)]
+    pub fn allowed(&self, scene: &Scene, plan: &Plan, t: &Triangle, tx: i32, ty: i32) -> u64 {
+        let mut allowed = FULL;
+        if t.flags & triangle_flags::CUT != 0 {
+            allowed &= rectangle_mask(tx * 8, ty * 8, self.columns, self.rows);
+        }
+        if let (Some(stipple), true) = (plan.stipple, t.flags & triangle_flags::POLYGON != 0) {
+            allowed &= stipple_mask(stipple, scene, self.origin[0] + tx * 8, self.origin[1] + ty * 8);
+        }
+        allowed
+    }
+}
+
 /// Walks the tiles of a triangle in a bin; `MODE` is the plan's `fast`.
 #[inline(always)]
 fn tiles<S: Simd, const MODE: u32>(
@@ -294,21 +339,12 @@ fn tiles<S: Simd, const MODE: u32>(
     bin: &mut BinPixels,
 ) {
     let [ox, oy] = bin.origin;
-    let columns = ((t.columns & 0xffff) as i32 - ox, (t.columns >> 16) as i32 - ox);
-    let rows = ((t.rows & 0xffff) as i32 - oy, (t.rows >> 16) as i32 - oy);
-    let (tx0, tx1) = (columns.0.max(0) / 8, columns.1.min(63) / 8);
-    let (ty0, ty1) = (rows.0.max(0) / 8, rows.1.min(63) / 8);
-    for ty in ty0..=ty1 {
-        let (first, last) = ((rows.0 - ty * 8).max(0), (rows.1 - ty * 8).min(7));
-        for tx in tx0..=tx1 {
+    let extent = Extent::new(t, bin);
+    for ty in extent.tiles(extent.rows) {
+        let (first, last) = extent.rows_of(ty);
+        for tx in extent.tiles(extent.columns) {
             let Some(edges) = local.rows(tx * 8, ty * 8, first) else { continue };
-            let mut allowed = FULL;
-            if t.flags & triangle_flags::CUT != 0 {
-                allowed &= rectangle_mask(tx * 8, ty * 8, columns, rows);
-            }
-            if let (Some(stipple), true) = (plan.stipple, t.flags & triangle_flags::POLYGON != 0) {
-                allowed &= stipple_mask(stipple, scene, ox + tx * 8, oy + ty * 8);
-            }
+            let allowed = extent.allowed(scene, plan, t, tx, ty);
             let full = edges.full && allowed == FULL;
             let tile = ((ty * 8 + tx) * 64) as usize;
             if MODE != fast::NONE {
@@ -330,7 +366,7 @@ fn tiles<S: Simd, const MODE: u32>(
 }
 
 /// The polygon stipple on a tile whose first pixel is (x, y).
-pub fn stipple_mask(stipple: &[u32; 32], scene: &Scene, x: i32, y: i32) -> u64 {
+fn stipple_mask(stipple: &[u32; 32], scene: &Scene, x: i32, y: i32) -> u64 {
     let mut mask = 0;
     for row in 0..8 {
         let y = y + row;
@@ -421,7 +457,7 @@ pub fn direct_color<S: Simd>(scene: &Scene, plan: &Plan, t: &Triangle, planes: &
         reciprocal = S::div(reciprocal, at::<S>(planes[0][3], planes[1][0], planes[1][1], x, y));
     }
     let columns = varying::<S>(plan, planes, t, k, x, y, reciprocal);
-    Color { bytes: if is_bytes(scene.format) { blend::quantize4::<S>(columns) } else { S::i(0) }, columns }
+    Color { bytes: if scene.format.color.is_bytes() { blend::quantize4::<S>(columns) } else { S::i(0) }, columns }
 }
 
 /// Varying `k` at eight pixels.
@@ -492,7 +528,7 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
         }
     }
     let results = &worker.results;
-    if is_bytes(scene.format) {
+    if scene.format.color.is_bytes() {
         // While they are packed: rows of small triangles are mostly empty.
         for group in 0..groups {
             let [r, g, b, a] = &results.color;
@@ -521,7 +557,7 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
         }
         let pixel = row.at as usize;
         let mut color = Color { bytes: S::i(0), columns: [S::f(0.0); 4] };
-        if is_bytes(scene.format) {
+        if scene.format.color.is_bytes() {
             color.bytes = S::expand(S::load_u(eight(&worker.bytes, start)), row.mask);
         } else {
             for c in 0..4 {
@@ -530,19 +566,10 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
             }
         }
         if scene.format.samples > 1 {
-            let place = samples::Place { pixel, place: row.place, front: row.front };
+            let place = samples::Place { pixel, place: row.place, front: row.front, several: row.several };
             let computed = plan.program.writes_depth.then_some(z);
-            samples::write::<S>(
-                plan,
-                scene,
-                scene.planes(row),
-                bin,
-                place,
-                row.samples.map(|s| s & bits as u8),
-                color,
-                computed,
-                row.several,
-            );
+            let covered = row.samples.map(|s| s & bits as u8);
+            samples::write::<S>(plan, scene, scene.planes(row), bin, place, covered, color, computed);
         } else {
             write::<S>(plan, scene.format, bin, pixel, row.front, z, S::mask(bits), color);
         }

@@ -2,13 +2,13 @@
 //!
 //! A bin holds its samples one after the other, so that the routines of one sample serve all of them.
 
-use super::fine::{Plan, Row, Scene, Worker, depth, direct_color, queue, row8, stipple_mask};
+use super::depth_stencil;
+use super::fine::{Extent, Plan, Row, Scene, Worker, depth, direct_color, queue, row8};
 use super::layout::*;
 use super::simd::Simd;
 use super::store::{BIN_PIXELS, BinPixels};
-use super::tile::{FULL, LocalEdges, rectangle_mask};
-use super::write::{self, Color, is_bytes};
-use super::{blend, depth_stencil};
+use super::tile::{FULL, LocalEdges};
+use super::write::{self, Color};
 use crate::device::samples::{MAX_SAMPLES, positions};
 
 /// Which of eight pixels in a row, by sample.
@@ -23,6 +23,8 @@ pub struct Place {
     pub place: [i32; 2],
     /// It is of a front face.
     pub front: bool,
+    /// Samples have depths of their own, not the pixel's.
+    pub several: bool,
 }
 
 fn union(covered: &Covered) -> u32 {
@@ -48,8 +50,6 @@ pub fn tiles<S: Simd>(
     bin: &mut BinPixels,
 ) {
     let [ox, oy] = bin.origin;
-    let columns = ((t.columns & 0xffff) as i32 - ox, (t.columns >> 16) as i32 - ox);
-    let rows = ((t.rows & 0xffff) as i32 - oy, (t.rows >> 16) as i32 - oy);
     let count = scene.format.samples as usize;
     let several = t.flags & triangle_flags::MULTISAMPLE != 0;
     let all = if several { centre.of_all_samples() } else { *centre };
@@ -59,17 +59,12 @@ pub fn tiles<S: Simd>(
             *edges = centre.sample(at);
         }
     }
-    for ty in rows.0.max(0) / 8..=rows.1.min(63) / 8 {
-        let (first, last) = ((rows.0 - ty * 8).max(0), (rows.1 - ty * 8).min(7));
-        for tx in columns.0.max(0) / 8..=columns.1.min(63) / 8 {
+    let extent = Extent::new(t, bin);
+    for ty in extent.tiles(extent.rows) {
+        let (first, last) = extent.rows_of(ty);
+        for tx in extent.tiles(extent.columns) {
             let Some(reached) = all.rows(tx * 8, ty * 8, first) else { continue };
-            let mut allowed = FULL;
-            if t.flags & triangle_flags::CUT != 0 {
-                allowed &= rectangle_mask(tx * 8, ty * 8, columns, rows);
-            }
-            if let (Some(stipple), true) = (plan.stipple, t.flags & triangle_flags::POLYGON != 0) {
-                allowed &= stipple_mask(stipple, scene, ox + tx * 8, oy + ty * 8);
-            }
+            let allowed = extent.allowed(scene, plan, t, tx, ty);
             let mut masks = [0; MAX_SAMPLES as usize];
             for s in 0..count {
                 let covered = match s {
@@ -78,10 +73,10 @@ pub fn tiles<S: Simd>(
                     _ if several => edges[s].rows(tx * 8, ty * 8, first).map_or(0, |r| r.mask(first, last)),
                     _ => masks[0],
                 };
-                masks[s] = covered & allowed;
+                masks[s] = covered;
             }
             for (s, mask) in masks[..count].iter_mut().enumerate() {
-                *mask &= if plan.state.dropped_samples >> s & 1 != 0 { 0 } else { FULL };
+                *mask &= if plan.state.dropped_samples >> s & 1 != 0 { 0 } else { allowed };
             }
             let mut left = masks.iter().fold(0, |all, mask| all | mask);
             worker.tiles[!(reached.full && allowed == FULL) as usize] += (left != 0) as u64;
@@ -92,6 +87,7 @@ pub fn tiles<S: Simd>(
                     pixel: ((ty * 8 + tx) * 64 + row * 8) as usize,
                     place: [ox + tx * 8, oy + ty * 8 + row],
                     front: t.flags & triangle_flags::FRONT != 0,
+                    several,
                 };
                 row_of_samples::<S>(worker, scene, plan, t, planes, bin, place, masks.map(|mask| (mask >> (8 * row)) as u8));
             }
@@ -111,8 +107,8 @@ fn row_of_samples<S: Simd>(
     place: Place,
     mut covered: Covered,
 ) {
-    if early(plan) {
-        test::<S>(plan, scene, planes, bin, place, &mut covered, None, t.flags & triangle_flags::MULTISAMPLE != 0);
+    if plan.early && plan.tests {
+        test::<S>(plan, scene, planes, bin, place, &mut covered, None);
     }
     let mask = union(&covered);
     if mask == 0 {
@@ -122,23 +118,17 @@ fn row_of_samples<S: Simd>(
         Some(k) => {
             let (x, y) = sample_place::<S>(place.place, [0, 0]);
             let color = direct_color::<S>(scene, plan, t, planes, k, x, y);
-            write::<S>(plan, scene, planes, bin, place, covered, color, None, t.flags & triangle_flags::MULTISAMPLE != 0);
+            write::<S>(plan, scene, planes, bin, place, covered, color, None);
         }
         None => {
-            let several = t.flags & triangle_flags::MULTISAMPLE != 0;
-            let row = Row { at: place.pixel as u32, mask, place: place.place, samples: covered, several, ..Row::default() };
+            let Place { pixel, place, several, .. } = place;
+            let row = Row { at: pixel as u32, mask, place, samples: covered, several, ..Row::default() };
             queue::<S>(worker, scene, t, bin, row);
         }
     }
 }
 
-/// Depth and stencil are tested before the colour is known.
-fn early(plan: &Plan) -> bool {
-    plan.early && plan.tests && plan.state.flags & fragment_flags::ALPHA_TO_COVERAGE == 0
-}
-
-/// Stencil and depth test of each sample; those that fail are taken out. `computed`: the program's depth; `several`: samples have depths
-/// of their own.
+/// Stencil and depth test of each sample; those that fail are taken out. `computed`: the program's depth.
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
 fn test<S: Simd>(
@@ -149,7 +139,6 @@ fn test<S: Simd>(
     place: Place,
     covered: &mut Covered,
     computed: Option<S::I>,
-    several: bool,
 ) {
     for (s, &at) in positions(scene.format.samples).iter().enumerate() {
         if covered[s] == 0 {
@@ -158,7 +147,7 @@ fn test<S: Simd>(
         let z = computed.unwrap_or_else(
             #[inline(always)]
             || {
-                let (x, y) = sample_place::<S>(place.place, if several { at } else { [0, 0] });
+                let (x, y) = sample_place::<S>(place.place, if place.several { at } else { [0, 0] });
                 depth::<S>(plan, planes, x, y)
             },
         );
@@ -179,13 +168,11 @@ pub fn write<S: Simd>(
     mut covered: Covered,
     mut color: Color<S>,
     computed: Option<S::I>,
-    several: bool,
 ) {
     let state = plan.state;
     let count = scene.format.samples as usize;
     if state.flags & fragment_flags::ALPHA_TO_COVERAGE != 0 {
-        // In the precision of the colour buffer.
-        let alpha = if is_bytes(scene.format) { S::shr::<24>(color.bytes) } else { blend::quantize::<S>(color.columns[3]) };
+        let alpha = write::alpha::<S>(scene.format, &color);
         for (s, covered) in covered[..count].iter_mut().enumerate() {
             *covered &= S::signs(S::gt(alpha, S::i((255 * s / count) as i32))) as u8;
         }
@@ -199,8 +186,8 @@ pub fn write<S: Simd>(
         let keep = S::signs(keep) as u8;
         covered.iter_mut().for_each(|c| *c &= keep);
     }
-    if !early(plan) && plan.tests {
-        test::<S>(plan, scene, planes, bin, place, &mut covered, computed, several);
+    if !plan.early && plan.tests {
+        test::<S>(plan, scene, planes, bin, place, &mut covered, computed);
     }
     if plan.write_mask == 0 {
         return;

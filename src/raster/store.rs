@@ -2,7 +2,7 @@
 //! pixels row by row. A row of a tile is one vector, a tile is four cache lines, a bin's pixels belong to one worker.
 
 use super::layout::{BIN_SIZE, TILE_SIZE};
-use crate::device::{ColorFormat, PlaneFormat, samples};
+use crate::device::{PlaneFormat, samples};
 
 /// Pixels in a bin.
 pub const BIN_PIXELS: usize = (BIN_SIZE * BIN_SIZE) as usize;
@@ -126,7 +126,7 @@ impl Store {
 pub fn resolve(format: PlaneFormat, bin: &mut [u32], from: &[u32]) {
     let PlaneFormat::Color(color) = format else { return bin.copy_from_slice(&from[..bin.len()]) };
     let planes: Vec<&[u32]> = from.chunks_exact(bin.len()).collect();
-    if matches!(color, ColorFormat::Rgba8 | ColorFormat::Rgbx8) {
+    if color.is_bytes() {
         return samples::means_of_bytes(&planes, bin);
     }
     let words = format.words();
@@ -141,7 +141,7 @@ pub fn resolve(format: PlaneFormat, bin: &mut [u32], from: &[u32]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::device::DepthFormat;
+    use crate::device::{ColorFormat, DepthFormat};
 
     #[test]
     fn rows_survive_the_store() {

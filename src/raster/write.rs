@@ -10,16 +10,10 @@ use crate::device::{ColorFormat, SurfaceFormat};
 
 /// Eight colours, in the form that the format wants.
 pub struct Color<S: Simd> {
-    /// Where [`is_bytes`] holds.
+    /// Where [`ColorFormat::is_bytes`] holds.
     pub bytes: S::I,
     /// Where it does not.
     pub columns: [S::F; 4],
-}
-
-/// A colour is four bytes, and blended as such.
-#[inline(always)]
-pub fn is_bytes(format: SurfaceFormat) -> bool {
-    matches!(format.color, ColorFormat::Rgba8 | ColorFormat::Rgbx8)
 }
 
 /// The operations after the colour is known.
@@ -46,6 +40,12 @@ pub fn write<S: Simd>(
     }
 }
 
+/// Alpha from 0 to 255, in the precision of the colour buffer.
+#[inline(always)]
+pub fn alpha<S: Simd>(format: SurfaceFormat, color: &Color<S>) -> S::I {
+    if format.color.is_bytes() { S::shr::<24>(color.bytes) } else { blend::quantize::<S>(color.columns[3]) }
+}
+
 /// Lanes that pass the alpha test; `None` where there is none.
 #[inline(always)]
 pub fn passes_alpha<S: Simd>(plan: &Plan, format: SurfaceFormat, color: &Color<S>) -> Option<S::I> {
@@ -53,8 +53,7 @@ pub fn passes_alpha<S: Simd>(plan: &Plan, format: SurfaceFormat, color: &Color<S
     if state.flags & fragment_flags::ALPHA_TEST == 0 {
         return None;
     }
-    // In the precision of the colour buffer.
-    let alpha = if is_bytes(format) { S::shr::<24>(color.bytes) } else { blend::quantize::<S>(color.columns[3]) };
+    let alpha = alpha::<S>(format, color);
     let reference = blend::quantize::<S>(S::f(state.alpha_ref));
     Some(depth_stencil::compare_lanes::<S>(state.alpha_func, alpha, reference))
 }
@@ -62,7 +61,7 @@ pub fn passes_alpha<S: Simd>(plan: &Plan, format: SurfaceFormat, color: &Color<S
 /// Blending, logic op and the write.
 #[inline(always)]
 pub fn write_color<S: Simd>(plan: &Plan, format: SurfaceFormat, bin: &mut BinPixels, pixel: usize, mask: S::I, color: &Color<S>) {
-    if is_bytes(format) {
+    if format.color.is_bytes() {
         return write_bytes::<S>(plan, format, bin, pixel, mask, color.bytes);
     }
     let mut columns = [[0.0; 8]; 4];

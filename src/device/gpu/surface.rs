@@ -10,7 +10,7 @@ use super::buffers::create;
 use super::execute::{Buffers, Executor};
 use super::kernels::Kernels;
 use super::profile::StageTime;
-use crate::device::plane::{self, Storage};
+use crate::device::plane::{self, Resolved, Storage};
 use crate::device::{Plane, PlaneFormat, SharedPlane, Surface, Target};
 use crate::draw::Batch;
 
@@ -74,8 +74,7 @@ pub struct GpuSurface {
     gpu: &'static Gpu,
     executor: Executor,
     target: Target,
-    /// What the samples of a pixel amount to, made when it is first asked for, and the version of the samples.
-    resolved: Option<(SharedPlane, u64)>,
+    resolved: Resolved,
 }
 
 /// `TEPUI_STATS`: 1 says what a batch held, 2 adds the times of its stages.
@@ -93,7 +92,7 @@ impl GpuSurface {
     /// A surface on planes of the GPU.
     pub fn new(gpu: &'static Gpu, kernels: Arc<Kernels>, target: Target) -> GpuSurface {
         let executor = Executor::new(gpu, kernels, Buffers::new(gpu), target.size, target.format);
-        GpuSurface { gpu, executor, target, resolved: None }
+        GpuSurface { gpu, executor, target, resolved: Resolved::default() }
     }
 
     /// Binds the target's planes, host changes uploaded; false where there is nothing to draw into.
@@ -126,7 +125,7 @@ impl Surface for GpuSurface {
     fn retarget(&mut self, target: Target) {
         self.executor.settle();
         self.target = target;
-        self.resolved = None;
+        self.resolved = Resolved::default();
     }
 
     fn execute(&mut self, batch: Batch) {
@@ -143,19 +142,14 @@ impl Surface for GpuSurface {
 
     fn resolved(&mut self) -> &SharedPlane {
         self.executor.settle();
-        let Target { size, format, .. } = self.target;
-        if format.samples == 1 {
-            return &self.target.color;
-        }
-        let version = plane::lock(&self.target.color).version();
-        let new = || (GpuPlane::plane(self.gpu, size, 1, PlaneFormat::Color(format.color)), u64::MAX);
-        let (plane, of) = self.resolved.get_or_insert_with(new);
-        if std::mem::replace(of, version) != version {
-            let from = plane::lock(&self.target.color).storage::<GpuPlane>().map(|plane| plane.buffer.clone());
-            if let (Some(from), Some(to)) = (from, buffer(plane)) {
-                self.executor.resolve(&from, &to, size, format);
+        let GpuSurface { gpu, executor, target, resolved } = self;
+        let Target { size, format, .. } = *target;
+        let new = || GpuPlane::plane(gpu, size, 1, PlaneFormat::Color(format.color));
+        resolved.of(target, new, |from, to| {
+            let from = plane::lock(from).storage::<GpuPlane>().map(|plane| plane.buffer.clone());
+            if let (Some(from), Some(to)) = (from, buffer(to)) {
+                executor.resolve(&from, &to, size, format);
             }
-        }
-        plane
+        })
     }
 }
