@@ -3,7 +3,10 @@
 // triangles in order by counting bits: no lists, no sizes to guess. Also writes, entry by entry, what the fine stage wants to
 // know of the triangle in this bin (TP_ENTRY_WORDS words): three times c, a and b, the rectangle, planes, draw and flags.
 
+//#if SUBGROUP8
+//#else
 var<workgroup> tp_tiles: array<vec2<u32>, 32>;
+//#endif
 
 // Writes the entry's record for the fine stage and returns the tiles that the triangle touches, bit y * 8 + x, of the bin
 // at `origin`. Edge functions are relative to the bin: c + a * x + b * y, inside where none is negative, 32 bits all over it.
@@ -97,6 +100,36 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) gro
     let start = tp_lists[tp.bin_base + bin * 2u];
     let count = tp_lists[tp.bin_base + bin * 2u + 1u] - (block - start) * 32u;
     let origin = vec2<i32>(vec2<u32>(bin % tp.bins.x, bin / tp.bins.x) * 64u);
+//#if SUBGROUP8
+    // A subgroup of eight lanes: each hands its masks to all, and each lane keeps its column of tiles. Byte r of a word holds the bits
+    // of this round's eight entries for the tile of row r.
+    var low_rows = vec4<u32>(0u);
+    var high_rows = vec4<u32>(0u);
+    var first = 0u;
+    loop {
+        let entry = first + lane;
+        var mask = vec2<u32>(0u);
+        if (entry < count) {
+            let at = block * 32u + entry;
+            mask = tp_entry(tp_lists[tp.list_base + at] * TP_TRIANGLE_WORDS, tp.entry_base + at * TP_ENTRY_WORDS, origin);
+        }
+        var bits = vec2<u32>(0u);
+//#each $ 8
+        bits |= ((vec2<u32>(subgroupBroadcast(mask.x, $u), subgroupBroadcast(mask.y, $u)) >> vec2<u32>(lane)) & vec2<u32>(0x01010101u)) << vec2<u32>($u);
+//#end
+        low_rows |= ((vec4<u32>(bits.x) >> vec4<u32>(0u, 8u, 16u, 24u)) & vec4<u32>(255u)) << vec4<u32>(first);
+        high_rows |= ((vec4<u32>(bits.y) >> vec4<u32>(0u, 8u, 16u, 24u)) & vec4<u32>(255u)) << vec4<u32>(first);
+        continuing {
+            first += 8u;
+            break if first >= min(count, 32u);
+        }
+    }
+    let at = tp.tile_base + block * 64u + lane;
+    for (var r = 0u; r < 4u; r++) {
+        tp_lists[at + r * 8u] = low_rows[r];
+        tp_lists[at + 32u + r * 8u] = high_rows[r];
+    }
+//#else
     var entry = lane;
     loop {
         if (entry < 32u) {
@@ -127,4 +160,5 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) gro
             break if tile >= 64u;
         }
     }
+//#endif
 }

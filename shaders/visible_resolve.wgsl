@@ -65,7 +65,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     //#insert TEXTURES
 //#endif
     var state: TpState;
-    //#state
+    //#include state
     let x = f32(i32(px));
     let y = f32(py);
     var color = vec4<f32>(0.0);

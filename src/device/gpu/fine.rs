@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::adapter::Shape;
 use super::glue::{Planes, glue};
 use super::source::{Options, expand, files};
-use super::stage::arithmetic_flags;
+use super::stage::shape_flags;
 use super::texture::{self, TextureClass};
 use crate::device::{ColorFormat, samples};
 use crate::program::Program;
@@ -105,7 +105,7 @@ impl FineKey {
             expand(file, &options, &mut source);
         }
         self.shading(&options, program, &mut source);
-        expand(files::FINE, &options, &mut source);
+        expand(if shape.vectors() { files::FINE } else { files::FINE_COLUMN }, &options, &mut source);
         source
     }
 
@@ -173,9 +173,9 @@ impl FineKey {
             options.flag("DEPTH_FUNC_FIXED", true);
             let _ = writeln!(extra, "const TP_DEPTH_FUNC = {func}u;");
         }
-        options.flag("SUBGROUP8", shape.subgroup8);
+        options.flag("DEPTH_CHANGES", on(feature::DEPTH_BUFFER) && (on(feature::DEPTH_WRITE) || on(feature::STENCIL_TEST)));
         options.flag("VECTORS", planes == Planes::Loaded && shape.vectors());
-        arithmetic_flags(&mut options, shape);
+        shape_flags(&mut options, shape);
         color_flags(&mut options, self.color);
         let _ = writeln!(extra, "const TP_SAMPLES = {}u;", self.samples);
         for (k, [x, y]) in samples::positions(self.samples).iter().enumerate() {

@@ -84,7 +84,13 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape, source: Planes) -> G
         let mut groups: Vec<u32> = words.iter().map(|w| w / 8).collect();
         groups.dedup();
         for g in groups {
-            let _ = writeln!(glue.planes, "let pg{g} = tp_planes[planes + {}u + column];", g * 8);
+            // Each lane's load takes its time: of a group only what is wanted.
+            let wanted = words.iter().filter(|&w| w / 8 == g).fold(0u32, |mask, w| mask | 1 << (w % 8));
+            let at = format!("tp_planes[planes + {}u + column]", g * 8);
+            let _ = match wanted {
+                0xff => writeln!(glue.planes, "let pg{g} = {at};"),
+                _ => writeln!(glue.planes, "var pg{g} = 0.0;\nif ((({wanted}u >> column) & 1u) != 0u) {{ pg{g} = {at}; }}"),
+            };
         }
         for w in &words {
             let _ = writeln!(glue.planes, "let p{w} = subgroupBroadcast(pg{}, {}u);", w / 8, w % 8);

@@ -90,7 +90,10 @@ pub mod files {
     pub const FRAGMENT_OPS: File = File { name: "fragment_ops.wgsl", text: include_str!("../../../shaders/fragment_ops.wgsl") };
     pub const STATE: File = File { name: "state.wgsl", text: include_str!("../../../shaders/state.wgsl") };
     pub const FINE: File = File { name: "fine.wgsl", text: include_str!("../../../shaders/fine.wgsl") };
-    pub const FINE_SAMPLES: File = File { name: "fine_samples.wgsl", text: include_str!("../../../shaders/fine_samples.wgsl") };
+    pub const FINE_COLUMN: File = File { name: "fine_column.wgsl", text: include_str!("../../../shaders/fine_column.wgsl") };
+    pub const ENTRY: File = File { name: "entry.wgsl", text: include_str!("../../../shaders/entry.wgsl") };
+    pub const FRAGMENT: File = File { name: "fragment.wgsl", text: include_str!("../../../shaders/fragment.wgsl") };
+    pub const SAMPLES: File = File { name: "samples.wgsl", text: include_str!("../../../shaders/samples.wgsl") };
     pub const RESOLVE: File = File { name: "resolve.wgsl", text: include_str!("../../../shaders/resolve.wgsl") };
     pub const TEXTURE: File = File { name: "texture.wgsl", text: include_str!("../../../shaders/texture.wgsl") };
 }
@@ -146,7 +149,13 @@ fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)
                 let (name, buffer) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
                 let at = words.collect::<Vec<_>>().join(" ");
                 if options.flags.contains("SUBGROUP8") {
-                    let _ = writeln!(out, "let {name} = {buffer}[{at} + column];");
+                    if buffer == "tp_records" {
+                        // Words of a draw stay while the draw does.
+                        let k = loads.len();
+                        let _ = writeln!(out, "if (tp_fresh) {{ tp_kept[{k}] = {buffer}[{at} + column]; }}\nlet {name} = tp_kept[{k}];");
+                    } else {
+                        let _ = writeln!(out, "let {name} = {buffer}[{at} + column];");
+                    }
                 } else if options.flags.contains("VECTORS") {
                     // What is loaded begins at a multiple of four words; what of it is not used is not loaded.
                     let _ = writeln!(out, "let {name}_0 = {buffer}[({at}) >> 2u];\nlet {name}_1 = {buffer}[(({at}) >> 2u) + 1u];");
@@ -156,17 +165,22 @@ fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)
                 loads.push((name.to_string(), buffer.to_string()));
             }
             Some("//#each") => {
+                // As many as are named, or one for each sample.
+                let count = words.nth(1).map_or(options.samples, |n| n.parse().expect("//#each $ has a number or nothing"));
                 let mut block = String::new();
                 for line in lines.by_ref().take_while(|line| line.trim() != "//#end") {
                     block.push_str(line);
                     block.push('\n');
                 }
                 if open.iter().all(|&o| o) {
-                    (0..options.samples).for_each(|k| expand_with(&block.replace('$', &k.to_string()), options, loads, out));
+                    (0..count).for_each(|k| expand_with(&block.replace('$', &k.to_string()), options, loads, out));
                 }
             }
-            Some("//#samples") if open.iter().all(|&o| o) => expand_with(&files::FINE_SAMPLES.read(), options, loads, out),
-            Some("//#state") => expand_with(&files::STATE.read(), options, loads, out),
+            Some("//#include") if open.iter().all(|&o| o) => {
+                let name = words.next().unwrap_or_default();
+                let file = [files::ENTRY, files::FRAGMENT, files::SAMPLES, files::STATE].into_iter().find(|f| f.name.strip_suffix(".wgsl") == Some(name));
+                expand_with(&file.expect("//#include names a file").read(), options, loads, out);
+            }
             Some("//#insert") if open.iter().all(|&o| o) => {
                 let name = words.next().unwrap_or_default();
                 let text = options.inserts.get(name).map_or("", |t| t);

@@ -83,7 +83,7 @@ impl Stage {
     /// Its text.
     pub fn source(self, shape: Shape, constants: &str) -> String {
         let mut options = Options::default();
-        arithmetic_flags(&mut options, shape);
+        shape_flags(&mut options, shape);
         let mut lanes = shape.list_lanes;
         let wide = lanes > 8;
         let mut extra = String::new();
@@ -174,10 +174,11 @@ impl Stage {
     }
 }
 
-/// Flags of `shaders/arithmetic.wgsl`.
-pub fn arithmetic_flags(options: &mut Options, shape: Shape) {
+/// Flags that the machine decides.
+pub fn shape_flags(options: &mut Options, shape: Shape) {
     options.flag("FMA64", shape.fma64);
     options.flag("FUSES", shape.fuses);
+    options.flag("SUBGROUP8", shape.subgroup8);
 }
 
 /// Primitives of a group: what a workgroup of cull and set-up works on.
@@ -198,7 +199,7 @@ pub fn emit_lanes(shape: Shape) -> u32 {
 /// The text of the vertex stage around a program.
 pub fn vertex_source(shape: Shape, program: &Program, constants: &str) -> String {
     let mut options = Options::default();
-    arithmetic_flags(&mut options, shape);
+    shape_flags(&mut options, shape);
     options.flag("VERTEX", true);
     let mut fetch = String::new();
     for slot in (0..16).filter(|s| program.attributes & 1 << s != 0) {

@@ -1,0 +1,53 @@
+// A triangle as the tile stage left it: edge functions, the part of the tile that its rectangle covers, the draw's states, planes. Expects
+// the loads `ta`, `tb` (its record) and `sa`, `sb`, `sc` (the draw's words) and `flags`.
+//#if SAMPLES
+// Low bits of the edge functions lie where others leave room: see tile.wgsl.
+let box = WORD(tb, 5) & 0x3f3f3f3fu;
+let planes = WORD(tb, 6) & 0xfffffffcu;
+//#else
+let box = WORD(tb, 5);
+let planes = WORD(tb, 6);
+//#endif
+let c = bitcast<vec3<i32>>(vec3<u32>(WORD(ta, 0), WORD(ta, 1), WORD(ta, 2)));
+let a = bitcast<vec3<i32>>(vec3<u32>(WORD(ta, 3), WORD(ta, 4), WORD(ta, 5)));
+let b = bitcast<vec3<i32>>(vec3<u32>(WORD(ta, 6), WORD(ta, 7), WORD(tb, 4)));
+let fragment_uniforms = WORD(sa, 0);
+//#if TEXTURES
+let textures = WORD(sa, 1);
+//#insert TEXTURES
+//#endif
+var state: TpState;
+//#include state
+// Planes of this triangle.
+//#insert PLANES
+//#if SAMPLES
+// From the centres to the samples: edge functions, and the place where depth is evaluated.
+let several = (flags & TP_MULTISAMPLE) != 0u;
+let free = WORD(tb, 5);
+let low_bits = vec3<i32>(vec3<u32>(
+    ((free >> 6u) & 3u) | (((free >> 14u) & 3u) << 2u),
+    ((free >> 22u) & 3u) | ((free >> 30u) << 2u),
+    (WORD(tb, 6) & 3u) | ((draw_and_flags >> 30u) << 2u)));
+//#each $
+let edge_$ = select(vec3<i32>(0), (low_bits + a * TP_SAMPLE_X$ + b * TP_SAMPLE_Y$) >> vec3<u32>(4u), several);
+//#end
+//#if REJECTS
+var edge_most = edge_0;
+//#each $
+edge_most = max(edge_most, edge_$);
+//#end
+// How far the depth of any sample may lie below its pixel's, with all roundings.
+let depth_slack = (abs(p1) + abs(p2)) * 0.5 + (abs(p0) + abs(p1) * x + abs(p2) * f32(origin.y + 8u)) * 0x1p-20 + 0x1p-21;
+//#endif
+//#if SAMPLE_DEPTH
+//#each $
+let zx_$ = tp_fma(x + select(0.0, f32(TP_SAMPLE_X$) / 16.0, several), p1, p0);
+let zy_$ = select(0.0, f32(TP_SAMPLE_Y$) / 16.0, several);
+//#end
+//#endif
+//#endif
+//#if CUT
+let in_columns = local_x >= i32(box & 255u) && local_x <= i32((box >> 8u) & 255u);
+//#endif
+let low = max(i32((box >> 16u) & 255u), local_top) - local_top;
+let high = min(i32(box >> 24u), local_top + 7) - local_top;

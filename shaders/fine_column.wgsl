@@ -1,0 +1,245 @@
+// The fine stage for drivers that run on a processor: eight lanes, a column of a tile each, row by row. There an `if` skips nothing, a loop runs
+// its body once more than needed unless it ends with `break if`, every lane's load or store through a buffer takes its turn, and so
+// does every lane's access to an array whose index is not constant. Hence: one lane loads what all want, or each lane a word that is broadcast
+// (SUBGROUP8); the words of a draw stay until the draw changes; rows are selected from variables, not indexed (one sample a pixel).
+
+const TP_ROWS = 8;
+
+// A pixel's samples one after the other.
+var<private> tp_pixels: array<TpPixel, TP_ROWS * i32(TP_SAMPLES)>;
+//#if REJECTS
+// The greatest depth of each pixel's samples.
+var<private> tp_furthest: array<u32, TP_ROWS>;
+//#endif
+//#if DEPTH_BUFFER
+var<private> tp_depths: array<u32, TP_ROWS * i32(TP_SAMPLES)>;
+//#endif
+
+//#if SUBGROUP8
+// What was loaded of a draw, and of which one.
+var<private> tp_kept: array<u32, 32>;
+var<private> tp_kept_key: u32 = 0xffffffffu;
+//#endif
+
+//#if SAMPLES
+//#else
+fn tp_pixel_at(r: i32) -> TpPixel {
+    var v = tp_pixels[0];
+//#each $ 8
+    v = select(v, tp_pixels[$], r == $);
+//#end
+    return v;
+}
+
+//#if DEPTH_BUFFER
+fn tp_depth_at(r: i32) -> u32 {
+    var v = tp_depths[0];
+//#each $ 8
+    v = select(v, tp_depths[$], r == $);
+//#end
+    return v;
+}
+//#endif
+
+// What a fragment leaves in row r.
+fn tp_keep(r: i32, covered: bool, depth_word: u32, colored: bool, pixel: TpPixel) {
+//#if DEPTH_CHANGES
+//#each $ 8
+    tp_depths[$] = select(tp_depths[$], depth_word, covered && r == $);
+//#end
+//#endif
+//#if COLOR_WRITE
+//#each $ 8
+    tp_pixels[$] = select(tp_pixels[$], pixel, colored && r == $);
+//#end
+//#endif
+}
+//#endif
+
+// A word of the lists that all lanes want.
+fn tp_list(at: u32, lane: u32) -> u32 {
+//#if SUBGROUP8
+    var word = 0u;
+    if (lane == 0u) {
+        word = tp_lists[at];
+    }
+    return subgroupBroadcast(word, 0u);
+//#else
+    return tp_lists[at];
+//#endif
+}
+
+@compute @workgroup_size(8)
+fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let slot = group.x + group.y * 32768u;
+    if (slot >= tp_lists[2u]) {
+        return;
+    }
+    // Of the parameters once: each look costs.
+    let size = tp.size;
+    let bins_x = tp.bins.x;
+    let entry_base = tp.entry_base;
+    let draws = tp.draws;
+    let work = tp_list(tp.work_base + slot, lane);
+    let bin = work >> 6u;
+    let tile = work & 63u;
+    let origin = vec2<u32>((bin % bins_x) * 64u + (tile & 7u) * 8u, (bin / bins_x) * 64u + (tile >> 3u) * 8u);
+    let first_block = tp_list(tp.bin_base + bin * 2u, lane);
+    let blocks = (tp_list(tp.bin_base + bin * 2u + 1u, lane) + 31u) / 32u;
+    let masks = tp.tile_base + first_block * 64u + tile;
+    // The first triangle.
+    var block = 0u;
+    var bits = 0u;
+    loop {
+        bits = tp_list(masks + block * 64u, lane);
+        continuing {
+            block++;
+            break if bits != 0u || block >= blocks;
+        }
+    }
+    if (bits == 0u) {
+        return;
+    }
+
+    let column = lane;
+    let px = origin.x + column;
+    let x = f32(i32(px));
+    let local_x = i32((tile & 7u) * 8u + column);
+    let local_top = i32((tile >> 3u) * 8u);
+    // From a sample to the next one of the same pixel.
+    let plane = size.x * size.y;
+    var dirty = 0u;
+//#if SAMPLES
+    {
+        var r = 0;
+        loop {
+            let py = min(origin.y + u32(r), size.y - 1u);
+            let at = py * size.x + min(px, size.x - 1u);
+//#each $
+            tp_pixels[r * i32(TP_SAMPLES) + $] = tp_load_pixel(at + $u * plane);
+//#if DEPTH_BUFFER
+            tp_depths[r * i32(TP_SAMPLES) + $] = tp_depth[at + $u * plane];
+//#endif
+//#end
+//#if REJECTS
+            tp_furthest[r] = 0u;
+//#each $
+            tp_furthest[r] = max(tp_furthest[r], tp_depths[r * i32(TP_SAMPLES) + $] & 0xffffffu);
+//#end
+//#endif
+            continuing {
+                r++;
+                break if r >= TP_ROWS;
+            }
+        }
+    }
+//#else
+//#each $ 8
+    let at_$ = min(origin.y + $u, size.y - 1u) * size.x + min(px, size.x - 1u);
+    tp_pixels[$] = tp_load_pixel(at_$);
+//#if DEPTH_BUFFER
+    tp_depths[$] = tp_depth[at_$];
+//#endif
+//#end
+//#endif
+
+    var entry = first_block * 32u + (block - 1u) * 32u + countTrailingZeros(bits);
+    var more = true;
+    loop {
+        //#load ta tp_lists entry_base + entry * TP_ENTRY_WORDS
+//#if SUBGROUP8
+        var tb = 0u;
+        if (column >= 4u) {
+            tb = tp_lists[entry_base + entry * TP_ENTRY_WORDS + 4u + column];
+        }
+//#else
+        //#load tb tp_lists entry_base + entry * TP_ENTRY_WORDS + 4u
+//#endif
+        // To the next triangle of this tile.
+        bits &= bits - 1u;
+        loop {
+            if (bits != 0u || block >= blocks) {
+                break;
+            }
+            bits = tp_list(masks + block * 64u, lane);
+            block++;
+        }
+        more = bits != 0u;
+        entry = (first_block + block - 1u) * 32u + countTrailingZeros(bits);
+        let draw_and_flags = WORD(tb, 7);
+        let flags = draw_and_flags >> 24u;
+        // The draw's states.
+        let draw = draws + (draw_and_flags & 0xffffffu) * TP_DRAW_WORDS;
+//#if SUBGROUP8
+        // The draw's words stay while draw and facing do.
+        let kept_key = draw * 2u + select(0u, 1u, (flags & TP_FRONT) != 0u);
+        let tp_fresh = kept_key != tp_kept_key;
+        tp_kept_key = kept_key;
+//#endif
+        //#load sa tp_records draw
+//#if STATE_SECOND
+        //#load sb tp_records draw + 8u
+//#endif
+//#if STENCIL_TEST
+        //#load sc tp_records draw + select(24u, 16u, (flags & TP_FRONT) != 0u)
+//#endif
+        //#include entry
+        var row = low;
+        var e = c + a * local_x + b * (local_top + row);
+        loop {
+            let r = row;
+            let py = i32(origin.y) + row;
+            var allowed = true;
+//#if CUT
+            allowed = in_columns && row >= low && row <= high;
+//#endif
+//#if STIPPLE
+            allowed = allowed && tp_stipple(state, flags, px, u32(py));
+//#endif
+//#if SAMPLES
+            //#include samples
+//#else
+            //#include fragment
+//#endif
+            continuing {
+                row++;
+                e += b;
+                break if row > high;
+            }
+        }
+        continuing {
+            break if !more;
+        }
+    }
+
+//#if SAMPLES
+    {
+        var r = 0;
+        loop {
+            let py = origin.y + u32(r);
+            if ((dirty & (1u << u32(r))) != 0u) {
+                let at = py * size.x + px;
+//#each $
+                tp_store_pixel(at + $u * plane, tp_pixels[r * i32(TP_SAMPLES) + $]);
+//#if DEPTH_BUFFER
+                tp_depth[at + $u * plane] = tp_depths[r * i32(TP_SAMPLES) + $];
+//#endif
+//#end
+            }
+            continuing {
+                r++;
+                break if r >= TP_ROWS;
+            }
+        }
+    }
+//#else
+//#each $ 8
+    if ((dirty & (1u << $u)) != 0u) {
+        tp_store_pixel(at_$, tp_pixels[$]);
+//#if DEPTH_BUFFER
+        tp_depth[at_$] = tp_depths[$];
+//#endif
+    }
+//#end
+//#endif
+}
