@@ -45,11 +45,19 @@ struct TpParams {
 @group(0) @binding(4) var<storage, read_write> tp_lists: array<vec4<u32>>;
 //#else
 @group(0) @binding(1) var<storage, read> tp_records: array<u32>;
+//#if PAIRS
+@group(0) @binding(3) var<storage, read> tp_planes: array<u64>;
+//#else
 @group(0) @binding(3) var<storage, read> tp_planes: array<f32>;
+//#endif
+//#if PAIRS
+@group(0) @binding(4) var<storage, read_write> tp_lists: array<u64>;
+//#else
 //#if ATOMIC_LISTS
 @group(0) @binding(4) var<storage, read_write> tp_lists: array<atomic<u32>>;
 //#else
 @group(0) @binding(4) var<storage, read_write> tp_lists: array<u32>;
+//#endif
 //#endif
 //#endif
 @group(0) @binding(5) var<storage, read_write> tp_color: array<u32>;

@@ -1,16 +1,16 @@
 // A triangle as the tile stage left it: edge functions, the part of the tile that its rectangle covers, the draw's states, planes. Expects
-// the loads `ta`, `tb` (its record) and `sa`, `sb`, `sc` (the draw's words) and `flags`.
+// the loads `te` (its record) and `sa`, `sb`, `sc` (the draw's words) and `flags`.
 //#if SAMPLES
 // Low bits of the edge functions lie where others leave room: see tile.wgsl.
-let box = WORD(tb, 5) & 0x3f3f3f3fu;
-let planes = WORD(tb, 6) & 0xfffffffcu;
+let box = WORD(te, 9) & 0x3f3f3f3fu;
+let planes = WORD(te, 10) & 0xfffffffcu;
 //#else
-let box = WORD(tb, 5);
-let planes = WORD(tb, 6);
+let box = WORD(te, 9);
+let planes = WORD(te, 10);
 //#endif
-let c = bitcast<vec3<i32>>(vec3<u32>(WORD(ta, 0), WORD(ta, 1), WORD(ta, 2)));
-let a = bitcast<vec3<i32>>(vec3<u32>(WORD(ta, 3), WORD(ta, 4), WORD(ta, 5)));
-let b = bitcast<vec3<i32>>(vec3<u32>(WORD(ta, 6), WORD(ta, 7), WORD(tb, 4)));
+let c = bitcast<vec3<i32>>(vec3<u32>(WORD(te, 0), WORD(te, 1), WORD(te, 2)));
+let a = bitcast<vec3<i32>>(vec3<u32>(WORD(te, 3), WORD(te, 4), WORD(te, 5)));
+let b = bitcast<vec3<i32>>(vec3<u32>(WORD(te, 6), WORD(te, 7), WORD(te, 8)));
 let fragment_uniforms = WORD(sa, 0);
 //#if TEXTURES
 let textures = WORD(sa, 1);
@@ -23,11 +23,11 @@ var state: TpState;
 //#if SAMPLES
 // From the centres to the samples: edge functions, and the place where depth is evaluated.
 let several = (flags & TP_MULTISAMPLE) != 0u;
-let free = WORD(tb, 5);
+let free = WORD(te, 9);
 let low_bits = vec3<i32>(vec3<u32>(
     ((free >> 6u) & 3u) | (((free >> 14u) & 3u) << 2u),
     ((free >> 22u) & 3u) | ((free >> 30u) << 2u),
-    (WORD(tb, 6) & 3u) | ((draw_and_flags >> 30u) << 2u)));
+    (WORD(te, 10) & 3u) | ((draw_and_flags >> 30u) << 2u)));
 //#each $
 let edge_$ = select(vec3<i32>(0), (low_bits + a * TP_SAMPLE_X$ + b * TP_SAMPLE_Y$) >> vec3<u32>(4u), several);
 //#end

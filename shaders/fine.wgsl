@@ -77,14 +77,18 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     let local_top = i32((tile >> 3u) * 8u);
     // From a sample to the next one of the same pixel.
     let plane = tp.size.x * tp.size.y;
+    // Rows whose depth or stencil, and rows whose colour has changed.
     var dirty = 0u;
+    var colored_rows = 0u;
     {
         var r = 0;
         loop {
             let py = min(origin.y + u32(first_row + r * TP_ROW_STEP), tp.size.y - 1u);
             let at = py * tp.size.x + min(px, tp.size.x - 1u);
 //#each $
+//#if READS_COLOR
             tp_pixels[r * i32(TP_SAMPLES) + $] = tp_load_pixel(at + $u * plane);
+//#endif
 //#if DEPTH_BUFFER
             tp_depths[r * i32(TP_SAMPLES) + $] = tp_depth[at + $u * plane];
 //#endif
@@ -109,10 +113,9 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     var next_1 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 1u];
     var next_2 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 2u];
     loop {
-        let ta_0 = next_0;
-        let ta_1 = next_1;
-        let tb_0 = next_1;
-        let tb_1 = next_2;
+        let te_0 = next_0;
+        let te_1 = next_1;
+        let te_2 = next_2;
         // To the next triangle of this tile.
         bits &= bits - 1u;
         loop {
@@ -129,7 +132,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
             next_1 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 1u];
             next_2 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 2u];
         }
-        let draw_and_flags = WORD(tb, 7);
+        let draw_and_flags = WORD(te, 11);
         let flags = draw_and_flags >> 24u;
         // The draw's states.
         let draw = tp.draws + (draw_and_flags & 0xffffffu) * TP_DRAW_WORDS;
@@ -157,6 +160,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#if SAMPLES
             //#include samples
 //#else
+            let inside = allowed && (e.x | e.y | e.z) >= 0;
             //#include fragment
 //#endif
         }
@@ -169,15 +173,22 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         var r = 0;
         loop {
             let py = origin.y + u32(first_row + r * TP_ROW_STEP);
-            if ((dirty & (1u << u32(r))) != 0u) {
-                let at = py * tp.size.x + px;
+            let at = py * tp.size.x + px;
+//#if SAMPLES
+            colored_rows = dirty;
+//#endif
+            if ((colored_rows & (1u << u32(r))) != 0u) {
 //#each $
                 tp_store_pixel(at + $u * plane, tp_pixels[r * i32(TP_SAMPLES) + $]);
-//#if DEPTH_BUFFER
-                tp_depth[at + $u * plane] = tp_depths[r * i32(TP_SAMPLES) + $];
-//#endif
 //#end
             }
+//#if DEPTH_CHANGES
+            if ((dirty & (1u << u32(r))) != 0u) {
+//#each $
+                tp_depth[at + $u * plane] = tp_depths[r * i32(TP_SAMPLES) + $];
+//#end
+            }
+//#endif
             continuing {
                 r++;
                 break if r >= TP_ROWS;

@@ -59,11 +59,11 @@ fn tp_keep(r: i32, covered: bool, depth_word: u32, colored: bool, pixel: TpPixel
 // A word of the lists that all lanes want.
 fn tp_list(at: u32, lane: u32) -> u32 {
 //#if SUBGROUP8
-    var word = 0u;
+    var pair = 0lu;
     if (lane == 0u) {
-        word = tp_lists[at];
+        pair = tp_lists[at >> 1u] >> ((at & 1u) * 32u);
     }
-    return subgroupBroadcast(word, 0u);
+    return subgroupBroadcast(u32(pair & 0xfffffffflu), 0u);
 //#else
     return tp_lists[at];
 //#endif
@@ -72,7 +72,7 @@ fn tp_list(at: u32, lane: u32) -> u32 {
 @compute @workgroup_size(8)
 fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let slot = group.x + group.y * 32768u;
-    if (slot >= tp_lists[2u]) {
+    if (slot >= tp_list(2u, lane)) {
         return;
     }
     // Of the parameters once: each look costs.
@@ -108,7 +108,9 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     let local_top = i32((tile >> 3u) * 8u);
     // From a sample to the next one of the same pixel.
     let plane = size.x * size.y;
+    // Rows whose depth or stencil, and rows whose colour has changed.
     var dirty = 0u;
+    var colored_rows = 0u;
 //#if SAMPLES
     {
         var r = 0;
@@ -136,7 +138,9 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#else
 //#each $ 8
     let at_$ = min(origin.y + $u, size.y - 1u) * size.x + min(px, size.x - 1u);
+//#if READS_COLOR
     tp_pixels[$] = tp_load_pixel(at_$);
+//#endif
 //#if DEPTH_BUFFER
     tp_depths[$] = tp_depth[at_$];
 //#endif
@@ -146,15 +150,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     var entry = first_block * 32u + (block - 1u) * 32u + countTrailingZeros(bits);
     var more = true;
     loop {
-        //#load ta tp_lists entry_base + entry * TP_ENTRY_WORDS
-//#if SUBGROUP8
-        var tb = 0u;
-        if (column >= 4u) {
-            tb = tp_lists[entry_base + entry * TP_ENTRY_WORDS + 4u + column];
-        }
-//#else
-        //#load tb tp_lists entry_base + entry * TP_ENTRY_WORDS + 4u
-//#endif
+        //#load te tp_lists entry_base + entry * TP_ENTRY_WORDS
         // To the next triangle of this tile.
         bits &= bits - 1u;
         loop {
@@ -166,7 +162,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         }
         more = bits != 0u;
         entry = (first_block + block - 1u) * 32u + countTrailingZeros(bits);
-        let draw_and_flags = WORD(tb, 7);
+        let draw_and_flags = WORD(te, 11);
         let flags = draw_and_flags >> 24u;
         // The draw's states.
         let draw = draws + (draw_and_flags & 0xffffffu) * TP_DRAW_WORDS;
@@ -184,6 +180,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         //#load sc tp_records draw + select(24u, 16u, (flags & TP_FRONT) != 0u)
 //#endif
         //#include entry
+//#if SAMPLES
         var row = low;
         var e = c + a * local_x + b * (local_top + row);
         loop {
@@ -196,17 +193,48 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#if STIPPLE
             allowed = allowed && tp_stipple(state, flags, px, u32(py));
 //#endif
-//#if SAMPLES
             //#include samples
-//#else
-            //#include fragment
-//#endif
             continuing {
                 row++;
                 e += b;
                 break if row > high;
             }
         }
+//#else
+        // A column meets a triangle in an interval of rows, and each lane walks its own: the rounds are those of the tallest column.
+        var e = c + a * local_x + b * local_top;
+        // All ones as long as nothing is covered; rows before the first that is; less 8, rows that are.
+        var before = -1;
+        var first = 0;
+        var count = 8;
+//#each $ 8
+        {
+            var out = (e.x | e.y | e.z) >> 31u;
+//#if CUT
+            out |= select(-1, 0, in_columns && $ >= low && $ <= high);
+//#endif
+            before &= out;
+            first -= before;
+            count += out;
+            e += b;
+        }
+//#end
+        var row = first;
+        let end = first + count;
+        loop {
+            let r = row;
+            let py = i32(origin.y) + row;
+            var inside = row < end;
+//#if STIPPLE
+            inside = inside && tp_stipple(state, flags, px, u32(py));
+//#endif
+            //#include fragment
+            continuing {
+                row++;
+                break if row >= end;
+            }
+        }
+//#endif
         continuing {
             break if !more;
         }
@@ -234,12 +262,14 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     }
 //#else
 //#each $ 8
-    if ((dirty & (1u << $u)) != 0u) {
+    if ((colored_rows & (1u << $u)) != 0u) {
         tp_store_pixel(at_$, tp_pixels[$]);
-//#if DEPTH_BUFFER
-        tp_depth[at_$] = tp_depths[$];
-//#endif
     }
+//#if DEPTH_CHANGES
+    if ((dirty & (1u << $u)) != 0u) {
+        tp_depth[at_$] = tp_depths[$];
+    }
+//#endif
 //#end
 //#endif
 }

@@ -1,10 +1,10 @@
-// One pixel of one sample: coverage, then the per-fragment operations (src/raster/fine.rs) around the program. Row `r` of the tile is
+// One pixel of one sample, if the triangle covers it (`inside`): the per-fragment operations (src/raster/fine.rs) around the program. Row `r` of the tile is
 // read and written through functions of the kernel, because each keeps its pixels where its lanes reach them best.
 var covered = false;
 var colored = false;
 var pixel: TpPixel;
 var depth_word = 0u;
-if (allowed && (e.x | e.y | e.z) >= 0) {
+if (inside) {
     let y = f32(py);
 //#if DEPTH_BUFFER
     let old_depth = tp_depth_at(r);
@@ -94,3 +94,4 @@ if (allowed && (e.x | e.y | e.z) >= 0) {
 }
 tp_keep(r, covered, depth_word, colored, pixel);
 dirty |= select(0u, 1u << u32(r), covered);
+colored_rows |= select(0u, 1u << u32(r), colored);

@@ -223,7 +223,10 @@ fn tp_sample(t: TpTexture, c: TpClass, coord: vec4<f32>, ddx: vec4<f32>, ddy: ve
     if (c.mip == 2u) {
         let next = min(level + 1u, t.last);
         let blend = select(0.0, lambda - whole, minified && level < t.last);
-        v = tp_lerp(v, tp_level(t, c, tp_record(t.levels + next), tp_level_size(t, c, next), c.min_linear, p), blend);
+        // Where one level is enough the other is not looked at.
+        if (blend > 0.0) {
+            v = tp_lerp(v, tp_level(t, c, tp_record(t.levels + next), tp_level_size(t, c, next), c.min_linear, p), blend);
+        }
     }
     if (c.mag_linear != c.min_linear) {
         v = select(tp_level(t, c, t.offset, t.size, c.mag_linear, p), v, minified);

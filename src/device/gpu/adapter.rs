@@ -11,7 +11,8 @@ pub struct Shape {
     pub fine_lanes: u32,
     /// Lanes of the other stages' workgroups.
     pub list_lanes: u32,
-    /// Workgroups of 8 lanes are one subgroup: values that all lanes need are loaded by one lane each and broadcast.
+    /// Workgroups of 8 lanes are one subgroup, and there are integers of 64 bits: values that all lanes need are loaded by one lane each, two
+    /// words at a time, and broadcast.
     pub subgroup8: bool,
     /// The driver splits `fma`, and there are doubles to work it out with.
     pub fma64: bool,
@@ -119,7 +120,8 @@ fn open() -> Result<Gpu, String> {
     let keys = wgpu::Features::SHADER_INT64 | wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX;
     let keys64 = features.contains(keys) && device.limits().max_storage_buffers_per_shader_stage >= 12;
     let mut shape = if cpu {
-        let subgroup8 = features.contains(wgpu::Features::SUBGROUP) && info.subgroup_min_size == 8 && info.subgroup_max_size == 8;
+        let wanted = wgpu::Features::SUBGROUP | wgpu::Features::SHADER_INT64;
+        let subgroup8 = features.contains(wanted) && info.subgroup_min_size == 8 && info.subgroup_max_size == 8;
         Shape { fine_lanes: 8, list_lanes: 8, subgroup8, fma64, fuses, keys64, host_front: cpu }
     } else {
         Shape { fine_lanes: 32, list_lanes: 64, subgroup8: false, fma64, fuses, keys64, host_front: cpu }

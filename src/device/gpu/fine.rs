@@ -157,6 +157,9 @@ impl FineKey {
         ] {
             options.flag(name, on(bit));
         }
+        // What is only written need not be read before.
+        let reads = feature::BLEND | feature::LOGIC_OP | feature::COLOR_MASK;
+        options.flag("READS_COLOR", self.samples > 1 || self.features & reads != 0);
         let writes_depth = program.writes_depth && on(feature::SHADES) && on(feature::DEPTH_TEST);
         options.flag("WRITES_DEPTH", writes_depth);
         options.flag("SAMPLE_DEPTH", on(feature::DEPTH_TEST) && !writes_depth);
@@ -174,6 +177,7 @@ impl FineKey {
             let _ = writeln!(extra, "const TP_DEPTH_FUNC = {func}u;");
         }
         options.flag("DEPTH_CHANGES", on(feature::DEPTH_BUFFER) && (on(feature::DEPTH_WRITE) || on(feature::STENCIL_TEST)));
+        options.flag("PAIRS", shape.subgroup8);
         options.flag("VECTORS", planes == Planes::Loaded && shape.vectors());
         shape_flags(&mut options, shape);
         color_flags(&mut options, self.color);

@@ -81,19 +81,22 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape, source: Planes) -> G
     if source == Planes::Computed {
         computed(&mut glue.planes, needs_z, needs_w, &varyings);
     } else if shape.subgroup8 {
-        let mut groups: Vec<u32> = words.iter().map(|w| w / 8).collect();
+        // Two words a lane, and of sixteen only what is wanted, because each lane's load takes its time.
+        let mut groups: Vec<u32> = words.iter().map(|w| w / 16).collect();
         groups.dedup();
         for g in groups {
-            // Each lane's load takes its time: of a group only what is wanted.
-            let wanted = words.iter().filter(|&w| w / 8 == g).fold(0u32, |mask, w| mask | 1 << (w % 8));
-            let at = format!("tp_planes[planes + {}u + column]", g * 8);
-            let _ = match wanted {
-                0xff => writeln!(glue.planes, "let pg{g} = {at};"),
-                _ => writeln!(glue.planes, "var pg{g} = 0.0;\nif ((({wanted}u >> column) & 1u) != 0u) {{ pg{g} = {at}; }}"),
-            };
+            let wanted = words.iter().filter(|&w| w / 16 == g).fold(0u32, |mask, w| mask | 1 << (w % 16 / 2));
+            let _ = writeln!(
+                glue.planes,
+                "var pg{g} = 0lu;
+if ((({wanted}u >> column) & 1u) != 0u) {{ pg{g} = tp_planes[(planes >> 1u) + {}u + column]; }}
+let pg{g}_low = bitcast<f32>(u32(pg{g} & 0xfffffffflu));
+let pg{g}_high = bitcast<f32>(u32(pg{g} >> 32u));",
+                g * 8
+            );
         }
         for w in &words {
-            let _ = writeln!(glue.planes, "let p{w} = subgroupBroadcast(pg{}, {}u);", w / 8, w % 8);
+            let _ = writeln!(glue.planes, "let p{w} = subgroupBroadcast(pg{}_{}, {}u);", w / 16, ["low", "high"][*w as usize % 2], w % 16 / 2);
         }
     } else if shape.vectors() {
         let mut vectors: Vec<u32> = words.iter().map(|w| w / 4).collect();
@@ -118,17 +121,24 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape, source: Planes) -> G
     let fma4 = |quad: bool, a: &str, b: String, c: String| {
         if quad && !exact_quads { format!("fma(vec4<f32>({a}), {b}, {c})") } else { format!("tp_fma4({a}, {b}, {c})") }
     };
+    // Where a fused sum is worked out in double precision, what does not change from row to row is widened once a triangle.
+    let wide = shape.fma64 && hoist;
     {
         let columns = if hoist { &mut glue.planes } else { &mut glue.depth };
-        if needs_z {
-            columns.push_str("let zx = tp_fma(x, p1, p0);\n");
-        }
-        if needs_w {
-            columns.push_str("let wx = tp_fma(x, p4, p3);\n");
+        for (wanted, name, first) in [(needs_z, 'z', 0), (needs_w, 'w', 3)] {
+            if wanted {
+                let _ = writeln!(columns, "let {name}x = tp_fma(x, p{}, p{first});", first + 1);
+            }
+            if wanted && wide {
+                let _ = writeln!(columns, "let {name}x_wide = f64({name}x);\nlet {name}y_wide = f64(p{});", first + 2);
+            }
         }
     }
+    let along_y = |name: char, plane: u32| {
+        if wide { format!("f32(f64(y) * {name}y_wide + {name}x_wide)") } else { format!("tp_fma(y, p{plane}, {name}x)") }
+    };
     if needs_z {
-        glue.depth.push_str(if offset { "let z = tp_fma(y, p2, zx) + p6;\n" } else { "let z = tp_fma(y, p2, zx);\n" });
+        let _ = writeln!(glue.depth, "let z = {}{};", along_y('z', 2), if offset { " + p6" } else { "" });
     }
     if on(feature::DEPTH_TEST) && !program.writes_depth {
         glue.depth.push_str("let depth = tp_quantise(state, z);\n");
@@ -157,11 +167,14 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape, source: Planes) -> G
             let first = varying_word(k);
             let value = if flat(k) { vec4(first) } else { fma4(name != "v", x, vec4(first + 4), vec4(first)) };
             let _ = writeln!(columns, "let {name}{k} = {value};");
+            if wide && name == "v" && !flat(k) {
+                let _ = writeln!(columns, "let v{k}x_wide = vec4<f64>(v{k});\nlet v{k}y_wide = vec4<f64>({});", vec4(first + 8));
+            }
         }
     }
     let shade = &mut glue.shade;
     if needs_w {
-        shade.push_str("let w = tp_fma(y, p5, wx);\nlet reciprocal = tp_reciprocal(w);\n");
+        let _ = writeln!(shade, "let w = {};\nlet reciprocal = tp_reciprocal(w);", along_y('w', 5));
     }
     if quad {
         shade.push_str("let qy = f32(py & ~1);\nlet qy1 = qy + 1.0;\n");
@@ -176,7 +189,11 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape, source: Planes) -> G
         if flat(k) {
             return format!("{column}{k}");
         }
-        let value = fma4(column != "v", y, vec4(varying_word(k) + 8), format!("{column}{k}"));
+        let value = if wide && column == "v" {
+            format!("vec4<f32>(f64({y}) * v{k}y_wide + v{k}x_wide)")
+        } else {
+            fma4(column != "v", y, vec4(varying_word(k) + 8), format!("{column}{k}"))
+        };
         if perspective(k) && mixed {
             format!("{value} * select(1.0, {reciprocal}, (modes & {}u) != 0u)", 1 << k)
         } else if perspective(k) {

@@ -103,8 +103,8 @@ pub fn expand(file: File, options: &Options, out: &mut String) {
     expand_with(&file.read(), options, &mut Vec::new(), out);
 }
 
-/// Replaces `WORD(load, k)`: word `k` of what `//#load` loaded, the same for all lanes of a workgroup. Where a workgroup is
-/// one subgroup of eight lanes, each lane loaded one word, which is broadcast; where loads are vectors, it is a component of one;
+/// Replaces `WORD(load, k)`: word `k` of what `//#load` loaded (8 words, or the 12 of a list's entry), the same for all lanes of a
+/// workgroup. Where a workgroup is one subgroup of eight lanes, each lane loaded one or two words, which are broadcast; where loads are vectors, it is a component of one;
 /// elsewhere it is read where it is wanted.
 fn words_of_loads(line: &str, options: &Options, loads: &[(String, String)], out: &mut String) {
     let mut rest = line;
@@ -114,7 +114,11 @@ fn words_of_loads(line: &str, options: &Options, loads: &[(String, String)], out
         let (name, k) = rest[at + 5..end].split_once(',').expect("WORD(load, k)");
         let (name, k) = (name.trim(), k.trim());
         if options.flags.contains("SUBGROUP8") {
-            let _ = write!(out, "subgroupBroadcast({name}, {k}u)");
+            let k: usize = k.parse().expect("WORD(load, k) has a number");
+            let _ = match loads.iter().any(|l| l.0 == name && pairs(&l.1)) {
+                true => write!(out, "subgroupBroadcast({name}_{}, {}u)", ["low", "high"][k % 2], k / 2),
+                false => write!(out, "subgroupBroadcast({name}, {k}u)"),
+            };
         } else if options.flags.contains("VECTORS") {
             let k: usize = k.parse().expect("WORD(load, k) has a number");
             let _ = write!(out, "{name}_{}.{}", k / 4, ["x", "y", "z", "w"][k % 4]);
@@ -125,6 +129,11 @@ fn words_of_loads(line: &str, options: &Options, loads: &[(String, String)], out
         rest = &rest[end + 1..];
     }
     out.push_str(rest);
+}
+
+/// Buffers that a subgroup of eight lanes reads two words at a time: there a load costs by lanes, not by words.
+fn pairs(buffer: &str) -> bool {
+    buffer == "tp_lists"
 }
 
 fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)>, out: &mut String) {
@@ -148,14 +157,13 @@ fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)
             Some("//#load") if open.iter().all(|&o| o) => {
                 let (name, buffer) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
                 let at = words.collect::<Vec<_>>().join(" ");
-                if options.flags.contains("SUBGROUP8") {
-                    if buffer == "tp_records" {
-                        // Words of a draw stay while the draw does.
-                        let k = loads.len();
-                        let _ = writeln!(out, "if (tp_fresh) {{ tp_kept[{k}] = {buffer}[{at} + column]; }}\nlet {name} = tp_kept[{k}];");
-                    } else {
-                        let _ = writeln!(out, "let {name} = {buffer}[{at} + column];");
-                    }
+                if options.flags.contains("SUBGROUP8") && pairs(buffer) {
+                    let _ = writeln!(out, "var {name} = 0lu;\nif (column < 6u) {{ {name} = {buffer}[(({at}) >> 1u) + column]; }}");
+                    let _ = writeln!(out, "let {name}_low = u32({name} & 0xfffffffflu);\nlet {name}_high = u32({name} >> 32u);");
+                } else if options.flags.contains("SUBGROUP8") {
+                    // Words of a draw stay while the draw does.
+                    let k = loads.len();
+                    let _ = writeln!(out, "if (tp_fresh) {{ tp_kept[{k}] = {buffer}[{at} + column]; }}\nlet {name} = tp_kept[{k}];");
                 } else if options.flags.contains("VECTORS") {
                     // What is loaded begins at a multiple of four words; what of it is not used is not loaded.
                     let _ = writeln!(out, "let {name}_0 = {buffer}[({at}) >> 2u];\nlet {name}_1 = {buffer}[(({at}) >> 2u) + 1u];");
