@@ -3,9 +3,12 @@
 //#if FLOAT_PIXELS
 // Components from 0 to 255 in floats, as long as a tile is drawn: blending is then two fused operations a component.
 alias TpPixel = vec4<f32>;
-fn tp_load_pixel(at: u32) -> TpPixel {
-    let p = tp_color[at];
+fn tp_pixel_of(words: vec4<u32>) -> TpPixel {
+    let p = words.x;
     return vec4<f32>(vec4<u32>(p & 255u, (p >> 8u) & 255u, (p >> 16u) & 255u, p >> 24u));
+}
+fn tp_load_pixel(at: u32) -> TpPixel {
+    return tp_pixel_of(vec4<u32>(tp_color[at]));
 }
 fn tp_store_pixel(at: u32, p: TpPixel) {
     let c = vec4<u32>(p);
@@ -14,6 +17,9 @@ fn tp_store_pixel(at: u32, p: TpPixel) {
 //#else
 //#if COLOR_WORDS_1
 alias TpPixel = u32;
+fn tp_pixel_of(words: vec4<u32>) -> TpPixel {
+    return words.x;
+}
 fn tp_load_pixel(at: u32) -> TpPixel {
     return tp_color[at];
 }
@@ -23,6 +29,9 @@ fn tp_store_pixel(at: u32, p: TpPixel) {
 //#endif
 //#if COLOR_WORDS_2
 alias TpPixel = vec2<u32>;
+fn tp_pixel_of(words: vec4<u32>) -> TpPixel {
+    return words.xy;
+}
 fn tp_load_pixel(at: u32) -> TpPixel {
     return vec2<u32>(tp_color[at * 2u], tp_color[at * 2u + 1u]);
 }
@@ -33,6 +42,9 @@ fn tp_store_pixel(at: u32, p: TpPixel) {
 //#endif
 //#if COLOR_WORDS_4
 alias TpPixel = vec4<u32>;
+fn tp_pixel_of(words: vec4<u32>) -> TpPixel {
+    return words;
+}
 fn tp_load_pixel(at: u32) -> TpPixel {
     return vec4<u32>(tp_color[at * 4u], tp_color[at * 4u + 1u], tp_color[at * 4u + 2u], tp_color[at * 4u + 3u]);
 }

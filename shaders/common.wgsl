@@ -32,6 +32,7 @@ struct TpParams {
     // 2^23.
     magic: f32,
     samples: u32,
+    fresh: u32,
 }
 
 //#if VISIBLE

@@ -87,10 +87,10 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
             let at = py * tp.size.x + min(px, tp.size.x - 1u);
 //#each $
 //#if READS_COLOR
-            tp_pixels[r * i32(TP_SAMPLES) + $] = tp_load_pixel(at + $u * plane);
+            tp_pixels[r * i32(TP_SAMPLES) + $] = tp_first_pixel(at + $u * plane, tp.fresh);
 //#endif
 //#if DEPTH_BUFFER
-            tp_depths[r * i32(TP_SAMPLES) + $] = tp_depth[at + $u * plane];
+            tp_depths[r * i32(TP_SAMPLES) + $] = tp_first_depth(at + $u * plane, tp.fresh);
 //#endif
 //#end
 //#if REJECTS

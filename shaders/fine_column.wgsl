@@ -80,6 +80,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     let bins_x = tp.bins.x;
     let entry_base = tp.entry_base;
     let draws = tp.draws;
+    let fresh = tp.fresh;
     let work = tp_list(tp.work_base + slot, lane);
     let bin = work >> 6u;
     let tile = work & 63u;
@@ -118,9 +119,9 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
             let py = min(origin.y + u32(r), size.y - 1u);
             let at = py * size.x + min(px, size.x - 1u);
 //#each $
-            tp_pixels[r * i32(TP_SAMPLES) + $] = tp_load_pixel(at + $u * plane);
+            tp_pixels[r * i32(TP_SAMPLES) + $] = tp_first_pixel(at + $u * plane, fresh);
 //#if DEPTH_BUFFER
-            tp_depths[r * i32(TP_SAMPLES) + $] = tp_depth[at + $u * plane];
+            tp_depths[r * i32(TP_SAMPLES) + $] = tp_first_depth(at + $u * plane, fresh);
 //#endif
 //#end
 //#if REJECTS
@@ -139,10 +140,10 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#each $ 8
     let at_$ = min(origin.y + $u, size.y - 1u) * size.x + min(px, size.x - 1u);
 //#if READS_COLOR
-    tp_pixels[$] = tp_load_pixel(at_$);
+    tp_pixels[$] = tp_first_pixel(at_$, fresh);
 //#endif
 //#if DEPTH_BUFFER
-    tp_depths[$] = tp_depth[at_$];
+    tp_depths[$] = tp_first_depth(at_$, fresh);
 //#endif
 //#end
 //#endif

@@ -81,3 +81,20 @@ fn tp_stipple(s: TpState, flags: u32, px: u32, py: u32) -> bool {
     return !on || ((word >> (31u - (px & 31u))) & 1u) != 0u;
 }
 //#endif
+
+// A pixel and a depth word before the segment's first fragment; `fresh` says what a clear has just written, which is not read back.
+fn tp_first_pixel(at: u32, fresh: u32) -> TpPixel {
+    var p = tp_pixel_of(tp.clear_color);
+    if ((fresh & TP_FRESH_COLOR) == 0u) {
+        p = tp_load_pixel(at);
+    }
+    return p;
+}
+
+fn tp_first_depth(at: u32, fresh: u32) -> u32 {
+    var word = tp.clear_depth;
+    if ((fresh & TP_FRESH_DEPTH) == 0u) {
+        word = tp_depth[at];
+    }
+    return word;
+}

@@ -9,7 +9,7 @@ use super::adapter::Shape;
 use super::fine::{FineKey, feature};
 use super::front::Slice;
 use super::host_front::HostFront;
-use super::params::{FrontParams, Params, SEGMENT_WORDS};
+use super::params::{FrontParams, Params, SEGMENT_WORDS, fresh};
 use super::records::{DRAW_WORDS, pack_draw};
 use super::room::Room;
 use super::segment::{DrawNeeds, Segment, needs, served_flags};
@@ -143,6 +143,35 @@ fn clear_params(clear: &Clear, mut params: Params, format: SurfaceFormat) -> Opt
     (params.clear_mask != [0; 4] || params.clear_depth_mask != 0).then_some(params)
 }
 
+/// Tells the first segment behind clears of the whole surface what they left.
+fn mark_fresh(actions: &mut [(Place, Action)], format: SurfaceFormat) {
+    let wanted = if format.stencil { u32::MAX } else { 0xff_ffff };
+    let mut known = Params::default();
+    for (_, action) in actions {
+        match action {
+            Action::Clear(clear) => {
+                let all = clear.clear_min == [0; 2] && clear.clear_max == clear.size.map(|s| s as i32);
+                if clear.clear_mask != [0; 4] {
+                    let whole = all && clear.clear_mask[..format.color.words()].iter().all(|&m| m == u32::MAX);
+                    known.fresh = known.fresh & !fresh::COLOR | if whole { fresh::COLOR } else { 0 };
+                    known.clear_color = clear.clear_color;
+                }
+                if clear.clear_depth_mask != 0 {
+                    let whole = all && clear.clear_depth_mask & wanted == wanted;
+                    known.fresh = known.fresh & !fresh::DEPTH | if whole { fresh::DEPTH } else { 0 };
+                    known.clear_depth = clear.clear_depth;
+                }
+            }
+            Action::Draw(draw) => {
+                (draw.params.fresh, draw.params.clear_color, draw.params.clear_depth) = (known.fresh, known.clear_color, known.clear_depth);
+                known.fresh = 0;
+            }
+            Action::Visible(_) => known.fresh = 0,
+            Action::Front(..) => {}
+        }
+    }
+}
+
 fn align4(words: &mut Vec<u32>) -> u32 {
     words.resize(words.len().next_multiple_of(4), 0);
     words.len() as u32
@@ -242,6 +271,7 @@ impl Planner<'_> {
             close(&mut plan, &mut open, end);
             start = end;
         }
+        mark_fresh(&mut plan.actions, format);
         plan
     }
 
@@ -317,6 +347,7 @@ impl Planner<'_> {
             }
         }
         slices.close(&mut plan);
+        mark_fresh(&mut plan.actions, self.format);
         (plan, slices.tables)
     }
 }

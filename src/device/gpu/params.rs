@@ -102,8 +102,16 @@ pub struct Params {
     pub magic: f32,
     /// Samples of a pixel.
     pub samples: u32,
-    /// Reserved, zero.
-    pub reserved: u32,
+    /// What all pixels of the surface were cleared to just before the segment, and need not be read: `fresh::*`. The values are the clear's.
+    pub fresh: u32,
+}
+
+/// Bits of [`Params::fresh`].
+pub mod fresh {
+    /// Colour.
+    pub const COLOR: u32 = 1;
+    /// Depth and stencil.
+    pub const DEPTH: u32 = 2;
 }
 
 /// Parameters of the front end. Offsets are words of its records, unless said otherwise.
@@ -226,7 +234,8 @@ mod tests {
             clear_mask,
             action,
             magic,
-            samples
+            samples,
+            fresh
         );
         assert_eq!(members(files::COMMON, "TpParams"), rust);
     }

@@ -9,7 +9,7 @@ use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 use std::mem::offset_of;
 
-use super::params::{FEW_TRIANGLES, SEGMENT_WORDS, indirect};
+use super::params::{FEW_TRIANGLES, SEGMENT_WORDS, fresh, indirect};
 use crate::raster::layout::*;
 use crate::raster::vertex::{COORDINATE_RANGE, clip_code};
 
@@ -306,6 +306,8 @@ pub fn record_constants() -> String {
         ("TP_VARYING_PLANE_VEC4", VARYING_PLANE_VEC4),
         ("TP_SEGMENT_WORDS", SEGMENT_WORDS),
         ("TP_FEW_TRIANGLES", FEW_TRIANGLES),
+        ("TP_FRESH_COLOR", fresh::COLOR),
+        ("TP_FRESH_DEPTH", fresh::DEPTH),
         ("TP_SETUP_DISPATCH", indirect::SETUP),
         ("TP_CLIP_DISPATCH", indirect::CLIP),
         ("TP_FAILED", indirect::FAILED),
