@@ -57,14 +57,17 @@ fn left_out(table: &Table) -> Markup {
             tr {
                 th { "forced on" }
                 @for method in &table.methods { th { (style(method).1) ", ms" } th { "by nothing" } }
-                th { "pixels changed" } th style="text-align: left" { "CPU executor: built, left out" }
+                th { "pixels changed" }
+                @for (device, _) in table.costs.iter().take(1).flat_map(|c| &c.built) {
+                    th style="text-align: left" { @if *device == "cpu" { "CPU executor" } @else { "kernels" } ": built, left out" }
+                }
             }
             @for cost in &table.costs {
                 tr {
                     td { (cost.feature) }
                     @for (ms, ratio) in cost.milliseconds.iter().zip(&cost.ratios) { td { (format!("{ms:.2}")) } td { (format!("{ratio:.2}")) } }
                     td { (cost.changed.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")) }
-                    td.small style="text-align: left" { @for line in &cost.built { (line) br; } }
+                    @for (_, lines) in &cost.built { td.small style="text-align: left" { @for line in lines { (line) br; } } }
                 }
             }
         }
@@ -96,7 +99,9 @@ pub fn write(output: &Path, options: &Options, about: &[(&str, String)], diagram
                     h2 { "What is left out, and what it would cost" }
                     p {
                         "Each feature is forced on in a state that changes no pixel. \"By nothing\" is the time by that of the scene without any, drawn in turn with it; how far the first row is from 1 is the noise. "
-                        "The last column is what the CPU executor says of the batch (TEPUI_STATS=1)."
+                        "The last columns are what the executors say of the batch (TEPUI_STATS=1): routines and kernels with what they contain, and what was left out. "
+                        "The kernels' are those of a batch that they do from the vertices on (TEPUI_GPU_FRONT=kernels), by which hardware is driven; times are of the front end "
+                        "that is chosen by itself."
                     }
                     @for t in tables { (left_out(t)) }
                 }
