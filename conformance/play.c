@@ -74,6 +74,53 @@ static void play_polygon_stipple(const struct argument *a)
     glPolygonStipple(mask);
 }
 
+/* The framebuffer that `multisample` draws into: made once a context, so that only the first frame pays for it. */
+static struct {
+    GLuint framebuffer;
+    int width, height;
+} several;
+
+/* Why what a recording asks for is not there. */
+static char refusal[64];
+
+static void several_storage(GLenum attachment, GLenum format, const struct argument *a)
+{
+    GLuint buffer;
+    glGenRenderbuffers(1, &buffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, a[0].i, format, a[1].i, a[2].i);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+}
+
+static void play_multisample(const struct argument *a)
+{
+    GLint most = 0, samples = 0;
+    if (!several.framebuffer) {
+        glGetIntegerv(GL_MAX_SAMPLES, &most);
+        if (a[0].i > most) {
+            snprintf(refusal, sizeof refusal, NOT_THERE "%d samples a pixel, at most %d", a[0].i, most);
+            return;
+        }
+        glGenFramebuffers(1, &several.framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, several.framebuffer);
+        several_storage(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, a);
+        several_storage(GL_COLOR_ATTACHMENT0, GL_RGBA8, a);
+        glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_SAMPLES, &samples);
+        if (samples != a[0].i) snprintf(refusal, sizeof refusal, NOT_THERE "%d samples a pixel, but %d", a[0].i, samples);
+        several.width = a[1].i, several.height = a[2].i;
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, several.framebuffer);
+}
+
+static void play_resolve(const struct argument *a)
+{
+    GLint w = several.width, h = several.height;
+    (void)a;
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 static void play_grid(const struct argument *a)
 {
     glMapGrid2f(a[0].i, 0, 1, a[0].i, 0, 1);
@@ -119,6 +166,8 @@ static const struct {
     {"stencil", 6, play_stencil},
     {"polygon_stipple", 32, play_polygon_stipple},
     {"grid", 1, play_grid},
+    {"multisample", 3, play_multisample},
+    {"resolve", 0, play_resolve},
 };
 
 /* draw <mode> <what a vertex has> <count> <immediate>: vertices of a position (4 floats), then a colour (4) where bit 0 is
@@ -196,6 +245,8 @@ const char *recording_load(struct recording *r, const char *path)
 {
     FILE *f = fopen(path, "rb");
     memset(r, 0, sizeof *r);
+    memset(&several, 0, sizeof several);
+    refusal[0] = 0;
     if (!f) return "cannot open the recording";
     fseek(f, 0, SEEK_END);
     r->size = (size_t)ftell(f);
@@ -244,6 +295,7 @@ const char *recording_play(const struct recording *r)
                 return unknown;
             }
             commands[k].play(a);
+            if (refusal[0]) return refusal;
         }
         at = data;
     }

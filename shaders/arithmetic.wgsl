@@ -17,7 +17,8 @@ fn tp_mul64(a: i32, b: i32) -> vec2<u32> {
     return vec2<u32>((n << 16u) | (ll & 0xffffu), high);
 }
 
-// floor((a*b - c*d - bias) / 2^shift), saturated to +-2^30: an edge function in whole steps of 2^shift subpixels.
+// floor((a*b - c*d - bias) / 2^shift), saturated to +-2^30: an edge function in whole steps of 2^shift subpixels. Steps from pixel to pixel are
+// below 2^24 (LARGEST_STEP of src/raster/tile.rs): within 32 pixels nothing changes its sign or overflows by that.
 fn tp_edge_floor(a: i32, b: i32, c: i32, d: i32, bias: u32, shift: u32) -> i32 {
     let p = tp_mul64(a, b);
     let q = tp_mul64(c, d);

@@ -123,13 +123,15 @@ fn tp_offer_samples(walk: ptr<function, TpWalk>) {
     }
 }
 
-// The edge functions at a place, in whole steps, saturated: nothing within 64 pixels changes its sign by that.
+// The edge functions at the first of 64 x 64 pixels, in whole steps, saturated at their middle: right modulo 2^32, and right for all of them.
 fn tp_wide_edges(dx: vec3<i32>, dy: vec3<i32>, qx: vec3<i32>, qy: vec3<i32>) -> vec3<i32> {
     let bias = tp_edge_biases(dx, dy);
-    var c: vec3<i32>;
+    let mx = qx - 32 * 256;
+    let my = qy - 32 * 256;
+    var middle: vec3<i32>;
     for (var k = 0u; k < 3u; k++) {
-        let e = (i64(dy[k]) * i64(qx[k]) - i64(dx[k]) * i64(qy[k]) - i64(bias[k])) >> 8u;
-        c[k] = i32(clamp(e, i64(-0x40000000), i64(0x40000000)));
+        let e = (i64(dy[k]) * i64(mx[k]) - i64(dx[k]) * i64(my[k]) - i64(bias[k])) >> 8u;
+        middle[k] = i32(clamp(e, i64(-0x40000000), i64(0x40000000)));
     }
-    return c;
+    return middle + 32 * dy - 32 * dx;
 }

@@ -9,7 +9,8 @@ var<workgroup> tp_tiles: array<vec2<u32>, 32>;
 //#endif
 
 // Writes the entry's record for the fine stage and returns the tiles that the triangle touches, bit y * 8 + x, of the bin
-// at `origin`. Edge functions are relative to the bin: c + a * x + b * y, inside where none is negative, 32 bits all over it.
+// at `origin`. Edge functions are relative to the bin: c + a * x + b * y, inside where none is negative, 32 bits all over it: they are
+// saturated at the bin's middle, and c itself is right modulo 2^32.
 fn tp_entry(base: u32, at: u32, origin: vec2<i32>) -> vec2<u32> {
     let columns = tp_triangles[base + TP_TRIANGLE_COLUMNS];
     let rows = tp_triangles[base + TP_TRIANGLE_ROWS];
@@ -28,12 +29,15 @@ fn tp_entry(base: u32, at: u32, origin: vec2<i32>) -> vec2<u32> {
     let dy = py - py.yzx;
     let qx = origin.x * 256 - px;
     let qy = origin.y * 256 - py;
-    let c = vec3<i32>(
-        tp_edge_floor(dx.x, qy.x, dy.x, qx.x, tp_edge_bias(dx.x, dy.x), 8u),
-        tp_edge_floor(dx.y, qy.y, dy.y, qx.y, tp_edge_bias(dx.y, dy.y), 8u),
-        tp_edge_floor(dx.z, qy.z, dy.z, qx.z, tp_edge_bias(dx.z, dy.z), 8u));
+    let mx = qx + 32 * 256;
+    let my = qy + 32 * 256;
+    let middle = vec3<i32>(
+        tp_edge_floor(dx.x, my.x, dy.x, mx.x, tp_edge_bias(dx.x, dy.x), 8u),
+        tp_edge_floor(dx.y, my.y, dy.y, mx.y, tp_edge_bias(dx.y, dy.y), 8u),
+        tp_edge_floor(dx.z, my.z, dy.z, mx.z, tp_edge_bias(dx.z, dy.z), 8u));
     let a = -dy;
     let b = dx;
+    let c = middle - 32 * a - 32 * b;
     for (var k = 0u; k < 3u; k++) {
         tp_lists[at + k] = bitcast<u32>(c[k]);
         tp_lists[at + 3u + k] = bitcast<u32>(a[k]);

@@ -14,7 +14,7 @@ pub mod gl {
         FUNC_ADD = 0x8006; MIN = 0x8007; MAX = 0x8008; FUNC_SUBTRACT = 0x800A; FUNC_REVERSE_SUBTRACT = 0x800B;
         LESS = 0x201; LEQUAL = 0x203; ALWAYS = 0x207;
         KEEP = 0x1E00; INCR = 0x1E02; ALPHA_TEST = 0xBC0; COLOR_LOGIC_OP = 0xBF2; COPY = 0x1503; GEQUAL = 0x206; MODULATE = 0x2100;
-        COLOR_BUFFER_BIT = 0x4000;
+        COLOR_BUFFER_BIT = 0x4000; DEPTH_BUFFER_BIT = 0x100;
         MODELVIEW = 0x1700; PROJECTION = 0x1701;
         COLOR_MATERIAL = 0xB57; LIGHTING = 0xB50; FOG = 0xB60; DEPTH_TEST = 0xB71; STENCIL_TEST = 0xB90; NORMALIZE = 0xBA1; BLEND = 0xBE2; SCISSOR_TEST = 0xC11;
         TEXTURE_2D = 0xDE1; POLYGON_STIPPLE = 0xB42; POLYGON_OFFSET_FILL = 0x8037; CLIP_PLANE0 = 0x3000;
@@ -160,6 +160,17 @@ impl Recording {
     pub fn count_hits(&mut self) -> &mut Recording {
         let [always, all, incr] = [gl::ALWAYS, 0xff, gl::INCR].map(i64::from);
         self.enable(gl::STENCIL_TEST).call("stencil", &[always, 0, all, incr, incr, incr], &[])
+    }
+
+    /// Draws into a framebuffer object with colour, depth and so many samples a pixel, up to [`Recording::resolve`].
+    pub fn multisample(&mut self, samples: usize) -> &mut Recording {
+        let (width, height) = (self.width as i64, self.height as i64);
+        self.call("multisample", &[samples as i64, width, height], &[])
+    }
+
+    /// Blits that framebuffer to the window, which makes a pixel the mean of its samples, and draws into the window again.
+    pub fn resolve(&mut self) -> &mut Recording {
+        self.call("resolve", &[], &[])
     }
 
     /// A command whose arguments are followed by raw data.

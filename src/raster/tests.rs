@@ -67,14 +67,25 @@ fn coverage_is_what_exact_arithmetic_says() {
     let mut random = Random(1);
     for round in 0..4000 {
         // From slivers within a tile to the whole coordinate range; every other one on pixel centres, where ties are.
-        let size = [600, 5000, 300_000, 8_000_000][round % 4];
-        let mut place = || (random.below(size) - size / 4) & if round % 8 < 4 { !0 } else { !0x7f };
+        let size = [600, 5000, 300_000, 12_582_784][round % 4];
+        let least = -size / 3;
+        let mut place = || {
+            let at = (random.below(size) + least) & if round % 8 < 4 { !0 } else { !0x7f };
+            // Also from one end of the range to the other.
+            if round % 16 < 12 { at } else { [at, least, least + size][random.below(3) as usize] }
+        };
         let (x, y) = ([place(), place(), place()], [place(), place(), place()]);
         let flags = if random.bits() & 1 != 0 { triangle_flags::BOTTOM_UP } else { 0 };
         let Some(t) = triangle(x, y, flags) else { continue };
-        for _ in 0..4 {
+        for nth in 0..8 {
             let pixels = size / 256 + 1;
-            let (bx, by) = ((random.below(pixels) - pixels / 4).max(0) & !63, (random.below(pixels) - pixels / 4).max(0) & !63);
+            let mut bin = [random.below(pixels) - pixels / 3, random.below(pixels) - pixels / 3];
+            if nth % 2 == 0 {
+                // A bin that an edge runs through.
+                let (i, at) = (random.below(3) as usize, random.unit() as f64);
+                bin = [t.x, t.y].map(|v| (v[i] as f64 + at * (v[(i + 1) % 3] - v[i]) as f64) as i32 >> 8);
+            }
+            let [bx, by] = bin.map(|first| first.max(0) & !63);
             let local = LocalEdges::new(&t, bx, by);
             let (tx, ty) = (random.below(8) * 8, random.below(8) * 8);
             let mask = coverage(&local, tx, ty);

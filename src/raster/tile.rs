@@ -2,7 +2,7 @@
 //!
 //! Edge function i runs from vertex i to the next: `c + dcdy * y - dcdx * x` in 1/65536 square pixels, positive
 //! inside. At pixel centres it is a constant plus a multiple of 256, so it is kept divided by 256, rounded down, and
-//! a sample is inside where all three are not negative. Within a bin the divided values fit 32 bits.
+//! a sample is inside where all three are not negative. Within a bin the divided values fit 32 bits, saturated at its middle.
 
 use super::layout::*;
 use super::simd::Simd;
@@ -20,7 +20,7 @@ pub struct Edges {
     pub b: [i32; 3],
 }
 
-/// The edge functions near one place, an edge a lane (the first three): everything fits 32 bits for offsets up to 63 pixels.
+/// The edge functions in a bin, from its first pixel on, an edge a lane (the first three): all values there fit 32 bits.
 #[derive(Clone, Copy)]
 pub struct LocalEdges<S: Simd> {
     /// At the place.
@@ -38,6 +38,16 @@ pub struct LocalEdges<S: Simd> {
     /// Of each edge: step in y.
     down: [S::I; 3],
 }
+
+/// Most that an edge function may change from a pixel to the next: the range of coordinates (`COORDINATE_RANGE`), and a line's or point's
+/// width of 255 pixels.
+pub const LARGEST_STEP: i32 = (49151 + 255) << SUBPIXEL_BITS;
+
+/// What edge functions are saturated to at the middle of a bin.
+const SATURATED: i32 = 1 << 30;
+
+/// Nothing within 32 pixels of the middle, samples half a pixel off included, changes its sign by that, and nothing there overflows.
+const _: () = assert!(65 * LARGEST_STEP as i64 + 2 < SATURATED as i64 && SATURATED as i64 + 65 * LARGEST_STEP as i64 + 2 < 1 << 31);
 
 /// Each edge's value in all lanes.
 const EDGE: [[u8; 8]; 3] = [[0; 8], [1; 8], [2; 8]];
@@ -70,14 +80,16 @@ impl Edges {
         })
     }
 
-    /// The constants relative to pixel (x, y).
+    /// The constants relative to pixel (x, y), a bin's first: right modulo 2^32, and right for all pixels of the bin, where the sums fit.
     #[inline(always)]
     fn local(&self, x: i32, y: i32) -> [i32; 3] {
+        const HALF: i32 = BIN_SIZE as i32 / 2;
         let mut local = [0; 3];
         for i in 0..3 {
-            let c = self.c[i] + self.a[i] as i64 * x as i64 + self.b[i] as i64 * y as i64;
-            // Steps are at most 2^23, so that no sample within 63 pixels changes its sign by this.
-            local[i] = c.clamp(-(1 << 30), 1 << 30) as i32;
+            let (a, b) = (self.a[i], self.b[i]);
+            let middle = self.c[i] + a as i64 * (x + HALF) as i64 + b as i64 * (y + HALF) as i64;
+            let middle = middle.clamp(-SATURATED as i64, SATURATED as i64) as i32;
+            local[i] = middle.wrapping_sub(HALF * a).wrapping_sub(HALF * b);
         }
         local
     }

@@ -41,8 +41,9 @@ pub mod clip_code {
     pub const INVALID: u32 = 1 << 31;
 }
 
-/// Window coordinates that a snapped vertex may have: edge functions of anything inside fit the fine stage's words.
-pub const COORDINATE_RANGE: [f32; 2] = [-8192.0, 24575.0];
+/// Window coordinates that a snapped vertex may have: every viewport that shows anything of a surface of 16384 pixels lies inside, and edge
+/// functions of anything inside fit the fine stage's words (see [`super::tile::LARGEST_STEP`]).
+pub const COORDINATE_RANGE: [f32; 2] = [-16384.0, 32767.0];
 
 /// Snaps a window coordinate: round to nearest even of (v - 0.5) * 256.
 #[inline(always)]

@@ -21,6 +21,7 @@ pub mod clip;
 pub mod coverage;
 pub mod exact;
 pub mod snapped;
+pub mod supersampled;
 pub mod values;
 
 pub use coverage::{Counts, Coverage};

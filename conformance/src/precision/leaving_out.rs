@@ -1,5 +1,7 @@
-//! What a scene does not need is left out: what the CPU executor built and left out (`TEPUI_STATS=1`), and what each feature costs when
-//! it is forced on in a state that changes no pixel.
+//! What a scene does not need is left out: what the CPU executor and the kernels built and left out (`TEPUI_STATS=1`), and what each feature
+//! costs when it is forced on in a state that changes no pixel.
+
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
@@ -68,8 +70,8 @@ pub struct Cost {
     pub ratios: Vec<f64>,
     /// Pixels that differ from the scene without it, on each method.
     pub changed: Vec<usize>,
-    /// What the CPU executor says it built and left out.
-    pub built: Vec<String>,
+    /// What each of Tepui's executors says it built and left out: its name, its lines.
+    pub built: Vec<(&'static str, Vec<String>)>,
 }
 
 /// A scene with all features.
@@ -97,20 +99,36 @@ fn mesh(cells: usize) -> Vec<Vertex> {
     (0..cells * cells).flat_map(square).collect()
 }
 
-/// Lines that a batch's statistics consist of, numbers of triangles left out.
-fn statistics(binary: &std::path::Path, recording: &Recording) -> Result<Vec<String>, Error> {
-    let log = work_dir().join("precision/statistics.log");
-    let mut runner = Runner::new("statistics", binary, &[("TEPUI_DEVICE", "cpu"), ("TEPUI_STATS", "1")], log.clone());
-    play(&mut runner, recording, 1)?;
-    drop(runner);
-    let text = std::fs::read_to_string(log)?;
-    let mut lines: Vec<String> = Vec::new();
-    for line in text.lines().filter_map(|l| l.strip_prefix("tepui:   ")) {
-        if !lines.iter().any(|l| l == line) {
-            lines.push(line.to_owned());
-        }
+/// An executor that says what it builds. Its process goes on from recording to recording, so that kernels are built once.
+struct Statistics {
+    device: &'static str,
+    runner: Runner,
+    log: PathBuf,
+    /// Bytes of the log that were read.
+    read: usize,
+}
+
+impl Statistics {
+    /// Kernels do all from the vertices on, also where the host's front end is faster: what they leave out is to be seen.
+    fn new(binary: &Path, device: &'static str) -> Statistics {
+        let log = work_dir().join(format!("precision/statistics-{device}.log"));
+        let environment = [("TEPUI_DEVICE", device), ("TEPUI_STATS", "1"), ("TEPUI_GPU_FRONT", "kernels")];
+        Statistics { device, runner: Runner::new("statistics", binary, &environment, log.clone()), log, read: 0 }
     }
-    Ok(lines)
+
+    /// The lines of a recording's batches, those with numbers of triangles left out.
+    fn of(&mut self, recording: &Recording) -> Result<Vec<String>, Error> {
+        play(&mut self.runner, recording, 1)?;
+        let text = std::fs::read_to_string(&self.log)?;
+        let mut lines: Vec<String> = Vec::new();
+        for line in text[self.read..].lines().filter_map(|l| l.strip_prefix("tepui:   ")) {
+            if !lines.iter().any(|l| l == line) {
+                lines.push(line.to_owned());
+            }
+        }
+        self.read = text.len();
+        Ok(lines)
+    }
 }
 
 /// The triangles with a feature forced on.
@@ -126,7 +144,9 @@ fn recording(vertices: &[Vertex], state: fn(&mut Recording)) -> Recording {
 pub fn measure(options: &Options) -> Result<Vec<Table>, Error> {
     let binary = build_runner(Implementation::Tepui)?;
     let mut runners = methods(options.device, &[])?;
-    let [rounds, frames] = options.rounds();
+    let executors = [("cpu", options.device.cpu()), ("gpu", options.device.gpu())].into_iter().filter(|e| e.1);
+    let mut executors: Vec<Statistics> = executors.map(|(device, _)| Statistics::new(&binary, device)).collect();
+    let [rounds, frames] = if options.full { options.rounds() } else { [1, 2] };
     let mut tables = Vec::new();
     for (scene, vertices) in [("32,768 triangles of 8 pixels", mesh(128)), ("8 triangles of 32,768 pixels", mesh(2))] {
         let mut costs: Vec<Cost> = Vec::new();
@@ -151,7 +171,8 @@ pub fn measure(options: &Options) -> Result<Vec<Table>, Error> {
                 changed.push(images[0].chunks_exact(4).zip(images[1].chunks_exact(4)).filter(|(a, b)| a != b).count());
             }
             println!("  {scene}, {feature}: {milliseconds:.2?} ms, {ratios:.2?} times, {changed:?} pixels changed");
-            costs.push(Cost { feature, milliseconds, ratios, changed, built: statistics(&binary, &forced)? });
+            let built = executors.iter_mut().map(|e| Ok((e.device, e.of(&forced)?)));
+            costs.push(Cost { feature, milliseconds, ratios, changed, built: built.collect::<Result<_, Error>>()? });
         }
         tables.push(Table { scene, methods: runners.iter().map(|r| r.label).collect(), costs });
     }

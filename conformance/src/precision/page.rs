@@ -12,9 +12,10 @@ use crate::machine::machine;
 use crate::report::STYLE;
 
 fn cells(point: &Point) -> Markup {
-    match &point.failure {
-        Some(why) => html! { td.fail colspan="5" { (why) } },
-        None => {
+    match (&point.failure, &point.missing) {
+        (Some(why), _) => html! { td.fail colspan="5" { (why) } },
+        (None, Some(why)) => html! { td colspan="5" { (why) } },
+        (None, None) => {
             let [low, median, high] = point.milliseconds;
             html! {
                 td { (format!("{:.3}", point.rms)) } td { (point.max) } td { (format!("{:.5}", point.flip)) }
@@ -31,6 +32,14 @@ fn section(diagram: &Diagram) -> Result<Markup, Error> {
             h3 { (diagram.scene) }
             p { (diagram.about) }
             figure { (PreEscaped(plot)) }
+            @if !diagram.demand.is_empty() {
+                p {
+                    "Demanded of Tepui: " (diagram.demand) ". "
+                    @for (holds, curve) in diagram.curves.iter().filter_map(|c| c.course.map(|holds| (holds, c))) {
+                        (style(curve.method).1) ": " @if holds { span.pass { "yes" } } @else { span.fail { "NO" } } "; "
+                    }
+                }
+            }
             table {
                 tr { th { (diagram.knob) } th { "method" } th { "RMS, 1/255" } th { "max, 1/255" } th { "FLIP" } th { "ms, median" } th { "quartiles" } }
                 @for k in 0..diagram.curves.first().map_or(0, |c| c.points.len()) {
@@ -48,14 +57,17 @@ fn left_out(table: &Table) -> Markup {
             tr {
                 th { "forced on" }
                 @for method in &table.methods { th { (style(method).1) ", ms" } th { "by nothing" } }
-                th { "pixels changed" } th style="text-align: left" { "CPU executor: built, left out" }
+                th { "pixels changed" }
+                @for (device, _) in table.costs.iter().take(1).flat_map(|c| &c.built) {
+                    th style="text-align: left" { @if *device == "cpu" { "CPU executor" } @else { "kernels" } ": built, left out" }
+                }
             }
             @for cost in &table.costs {
                 tr {
                     td { (cost.feature) }
                     @for (ms, ratio) in cost.milliseconds.iter().zip(&cost.ratios) { td { (format!("{ms:.2}")) } td { (format!("{ratio:.2}")) } }
                     td { (cost.changed.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")) }
-                    td.small style="text-align: left" { @for line in &cost.built { (line) br; } }
+                    @for (_, lines) in &cost.built { td.small style="text-align: left" { @for line in lines { (line) br; } } }
                 }
             }
         }
@@ -79,14 +91,17 @@ pub fn write(output: &Path, options: &Options, about: &[(&str, String)], diagram
                 p.small {
                     "Each point is one setting on one method: left is faster, down is more exact. Errors are of the colours against the scene's reference; those up to 0.01 are drawn at 0.01. "
                     "Times are of whole frames, drawing and glFinish, all methods in turn; the first frame of a context is left out. They drift with the machine: read one diagram's points beside each other. "
-                    "Settings that do not exist yet, and so are not here: samples a pixel (there is no multisampling), and a choice of precision of the interpolation."
+                    "Every round draws in a new context and must give the same errors to the last digit. "
+                    "A setting that does not exist, and so is not here: a choice of precision of the interpolation."
                 }
                 @for s in &sections { (s) }
                 section id="leaving_out" {
                     h2 { "What is left out, and what it would cost" }
                     p {
                         "Each feature is forced on in a state that changes no pixel. \"By nothing\" is the time by that of the scene without any, drawn in turn with it; how far the first row is from 1 is the noise. "
-                        "The last column is what the CPU executor says of the batch (TEPUI_STATS=1)."
+                        "The last columns are what the executors say of the batch (TEPUI_STATS=1): routines and kernels with what they contain, and what was left out. "
+                        "The kernels' are those of a batch that they do from the vertices on (TEPUI_GPU_FRONT=kernels), by which hardware is driven; times are of the front end "
+                        "that is chosen by itself."
                     }
                     @for t in tables { (left_out(t)) }
                 }

@@ -18,10 +18,10 @@ pub fn style(method: &str) -> (RGBColor, &'static str) {
     }
 }
 
-/// The diagram as an SVG element, the settings written beside the points of the first curve.
+/// The diagram as an SVG element, the settings written beside the points of the first curve that has them all.
 pub fn draw(diagram: &Diagram) -> Result<String, String> {
     let drawn = |points: &[Point]| -> Vec<(f64, f64, f64, f64, String)> {
-        let good = points.iter().filter(|p| p.failure.is_none());
+        let good = points.iter().filter(|p| p.drawn());
         good.map(|p| {
             let [low, median, high] = p.milliseconds.map(f64::log10);
             (median, p.rms.max(FLOOR).log10(), low, high, p.setting.clone())
@@ -35,6 +35,8 @@ pub fn draw(diagram: &Diagram) -> Result<String, String> {
     if all.is_empty() {
         return Err(format!("{}: no method drew anything", diagram.scene));
     }
+    let most = diagram.curves.iter().map(|c| drawn(&c.points).len()).max();
+    let labelled = diagram.curves.iter().position(|c| Some(drawn(&c.points).len()) == most);
     let mut svg = String::new();
     {
         let area = SVGBackend::with_string(&mut svg, (760, 460)).into_drawing_area();
@@ -61,7 +63,7 @@ pub fn draw(diagram: &Diagram) -> Result<String, String> {
                 .label(name)
                 .legend(move |(x, y)| PathElement::new([(x, y), (x + 16, y)], color.stroke_width(2)));
             chart.draw_series(points.iter().map(|p| PathElement::new([(p.2, p.1), (p.3, p.1)], color.mix(0.5)))).map_err(failed)?;
-            if k == 0 {
+            if Some(k) == labelled {
                 let label = |p: &(f64, f64, f64, f64, String)| Text::new(p.4.clone(), (p.0 + 0.01, p.1), ("sans-serif", 10));
                 chart.draw_series(points.iter().map(label)).map_err(failed)?;
             }

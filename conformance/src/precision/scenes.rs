@@ -1,7 +1,6 @@
-//! The scenes and their settings. Every setting that Tepui has today and that trades accuracy for time is in one of them; there is no
-//! multisampling yet, so samples a pixel are not.
+//! The scenes and their settings. Every setting that Tepui has today and that trades accuracy for time is in one of them.
 
-use super::{Reference, Scene, Setting};
+use super::{Course, Reference, Scene, Setting, samples};
 use crate::oracle::values::Triangle;
 use crate::recording::{Recording, Vertex, View, gl, has};
 
@@ -9,7 +8,8 @@ const SIDE: usize = 256;
 
 /// All scenes.
 pub fn all() -> Vec<Scene> {
-    vec![filters(), bias(), density(), batches()]
+    let [star, blades] = samples::scenes();
+    vec![star, blades, filters(), bias(), density(), batches()]
 }
 
 /// Texels across of the texture.
@@ -127,6 +127,7 @@ fn filters() -> Scene {
         knob: "minification filter",
         reference: Reference::Pixels(floor_reference()),
         settings: modes.into_iter().map(setting).collect(),
+        course: Course::Free,
     }
 }
 
@@ -142,6 +143,7 @@ fn bias() -> Scene {
         knob: "level-of-detail bias",
         reference: Reference::Pixels(floor_reference()),
         settings: [-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0].map(setting).into(),
+        course: Course::Free,
     }
 }
 
@@ -170,6 +172,7 @@ fn density() -> Scene {
         knob: "quads of the evaluator mesh",
         reference: Reference::Drawn(surface_recording(1024)),
         settings: [2, 4, 8, 16, 32, 64, 128, 256].map(setting).into(),
+        course: Course::Free,
     }
 }
 
@@ -185,6 +188,7 @@ fn batches() -> Scene {
         knob: "bytes of a batch",
         reference: Reference::Drawn(surface_recording(1024)),
         settings: [4096, 65536, 1 << 20, 64 << 20].map(setting).into(),
+        course: Course::Stays,
     }
 }
 

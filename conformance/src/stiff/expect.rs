@@ -27,11 +27,25 @@ const UNIT: f64 = 1.5;
 /// and a largest error depends on chance.
 const BESIDE: f64 = 1.1;
 
-/// What is demanded where no exception stands: coverage exact, values off by a unit, or no worse than OSMesa's. (Holes and double hits
+/// Who else drew it: values that are off by more than a unit are held against theirs.
+#[derive(Clone, Copy, Debug)]
+pub enum Peer<'a> {
+    /// OSMesa; what the oracle says of it, if it drew everything.
+    Osmesa(Option<&'a Score>),
+    /// The CPU executor, which the kernels are held against where there is no OSMesa.
+    Cpu(Option<&'a Score>),
+    /// Nobody: the CPU executor where there is no OSMesa. Its values are held against the exceptions only.
+    Nobody,
+}
+
+/// What is demanded where no exception stands: coverage exact, values off by a unit, or no worse than the peer's. (Holes and double hits
 /// are `wrong` as well.)
-fn demand(reference: Option<&Score>) -> Limits {
-    let value = |error: Option<f64>| (error.unwrap_or(0.0) * BESIDE).max(UNIT);
-    Limits { wrong: 0, beyond: 0, off_rule: 0, color: value(reference.map(|r| r.color.max)), depth: value(reference.map(|r| r.depth.max)) }
+fn demand(peer: Peer) -> Limits {
+    let value = |error: fn(&Score) -> f64| match peer {
+        Peer::Osmesa(score) | Peer::Cpu(score) => (score.map_or(0.0, error) * BESIDE).max(UNIT),
+        Peer::Nobody => f64::INFINITY,
+    };
+    Limits { wrong: 0, beyond: 0, off_rule: 0, color: value(|s| s.color.max), depth: value(|s| s.depth.max) }
 }
 
 /// An entry of `stiff.toml`: other limits, where the demand is not met.
@@ -40,6 +54,8 @@ fn demand(reference: Option<&Score>) -> Limits {
 pub struct Exception {
     family: String,
     devices: Vec<String>,
+    /// Only where GL_RENDERER contains this: the Vulkan driver is the reason.
+    driver: Option<String>,
     severities: Vec<f64>,
     /// Only more seeds than the short form has show it.
     #[serde(default)]
@@ -71,12 +87,14 @@ pub struct Judged<'a> {
     pub severity: f64,
     /// `cpu` or `gpu`.
     pub device: &'a str,
+    /// What it says of itself.
+    pub renderer: &'a str,
     /// The full form.
     pub full: bool,
     /// What the oracle says.
     pub score: &'a Score,
-    /// What it says of OSMesa, if that drew everything.
-    pub reference: Option<&'a Score>,
+    /// Who else drew it.
+    pub peer: Peer<'a>,
     /// Crashes, hangs, errors.
     pub failures: &'a [String],
 }
@@ -129,14 +147,27 @@ impl Exceptions {
         toml::from_str::<File>(toml).map(|f| Exceptions(f.expect)).map_err(|e| format!("stiff.toml: {e}"))
     }
 
+    /// The entry that stands for a severity of a family on an executor.
+    fn entry(&self, of: &Judged) -> Option<&Exception> {
+        self.0.iter().find(|e| {
+            let here = e.family == of.family && e.severities.contains(&of.severity) && (of.full || !e.full_form_only);
+            here && e.devices.iter().any(|d| d == of.device) && e.driver.as_ref().is_none_or(|d| of.renderer.contains(d.as_str()))
+        })
+    }
+
+    /// Values are off by more than a unit, and nothing says whether they may be.
+    pub fn leaves_open(&self, of: &Judged) -> bool {
+        let entry = self.entry(of);
+        let open = |error: f64, limit: Option<f64>| error > UNIT && limit.is_none();
+        let (color, depth) = (entry.and_then(|e| e.color), entry.and_then(|e| e.depth));
+        matches!(of.peer, Peer::Nobody) && (open(of.score.color.max, color) || open(of.score.depth.max, depth))
+    }
+
     /// Judges one severity of one family on one of Tepui's executors.
     pub fn judge(&self, of: &Judged) -> Verdict {
         let (score, failures) = (of.score, of.failures);
-        let entry = self.0.iter().find(|e| {
-            let here = e.family == of.family && e.severities.contains(&of.severity) && (of.full || !e.full_form_only);
-            here && e.devices.iter().any(|d| d == of.device)
-        });
-        let demand = demand(of.reference);
+        let entry = self.entry(of);
+        let demand = demand(of.peer);
         let over = exceeded(score, &demand);
         let Some(entry) = entry else {
             return match (failures.first(), over.is_empty()) {
@@ -152,7 +183,9 @@ impl Exceptions {
             (None, false) => {}
         }
         let worse = exceeded(score, &entry.limits(&demand));
-        let idle: Vec<&str> = entry.loosened().into_iter().filter(|name| !over.contains(name)).collect();
+        // Limits of values are written for a comparison with OSMesa: without it, nothing says that one is not needed.
+        let known = |name: &&str| matches!(of.peer, Peer::Osmesa(_)) || !["color", "depth"].contains(name);
+        let idle: Vec<&str> = entry.loosened().into_iter().filter(known).filter(|name| !over.contains(name)).collect();
         if !worse.is_empty() {
             Verdict::Fail(format!("worse than expected in {} ({})", worse.join(", "), entry.reason))
         } else if !idle.is_empty() {
@@ -182,9 +215,13 @@ mod tests {
         score
     }
 
+    fn judged<'a>(family: &'a str, severity: f64, device: &'a str, score: &'a Score, peer: Peer<'a>) -> Judged<'a> {
+        Judged { family, severity, device, renderer: "a soft driver", full: false, score, peer, failures: &[] }
+    }
+
     fn judge(family: &str, severity: f64, device: &str, score: Score, failures: &[String]) -> Verdict {
-        let reference = Some(&Score::default());
-        let judged = Judged { family, severity, device, full: false, score: &score, reference, failures };
+        let right = Score::default();
+        let judged = Judged { failures, ..judged(family, severity, device, &score, Peer::Osmesa(Some(&right))) };
         Exceptions::parse(LIST).unwrap().judge(&judged)
     }
 
@@ -200,7 +237,7 @@ mod tests {
     #[test]
     fn values_may_be_as_bad_as_osmesas() {
         let reference = score(0, 20.0);
-        let demand = demand(Some(&reference));
+        let demand = demand(Peer::Osmesa(Some(&reference)));
         assert!(exceeded(&score(0, 21.0), &demand).is_empty());
         assert_eq!(exceeded(&score(0, 23.0), &demand), ["color"]);
         assert_eq!(exceeded(&score(1, 0.0), &demand), ["wrong"], "its coverage excuses nothing");
@@ -213,6 +250,31 @@ mod tests {
         assert!(!judge("a", 10.0, "cpu", score(5, 9.0), &[]).good(), "colour is not excepted");
         assert!(matches!(judge("a", 10.0, "cpu", score(0, 0.0), &[]), Verdict::UnexpectedPass(_)));
         assert!(!judge("a", 10.0, "gpu", score(5, 0.0), &[]).good());
+    }
+
+    #[test]
+    fn without_osmesa_kernels_are_held_against_the_cpu_executor_and_that_against_its_coverage() {
+        let list = Exceptions::parse(&LIST.replace("wrong = 5", "wrong = 5\ncolor = 30.0")).unwrap();
+        let (good, bad, right, wrong) = (score(0, 20.0), score(0, 23.0), score(0, 1.0), score(1, 0.0));
+        assert_eq!(list.judge(&judged("b", 1.0, "gpu", &good, Peer::Cpu(Some(&good)))), Verdict::Pass);
+        assert!(!list.judge(&judged("b", 1.0, "gpu", &bad, Peer::Cpu(Some(&good)))).good());
+        let alone = |family, score| judged(family, 10.0, "cpu", score, Peer::Nobody);
+        assert!(list.judge(&alone("b", &bad)).good() && list.leaves_open(&alone("b", &bad)));
+        assert!(!list.leaves_open(&alone("b", &right)), "right by itself");
+        assert!(!list.judge(&alone("b", &wrong)).good(), "coverage needs nobody");
+        let [within, above, even] = [score(3, 29.0), score(3, 31.0), score(3, 0.0)];
+        assert!(list.judge(&alone("a", &within)).good() && !list.leaves_open(&alone("a", &within)));
+        assert!(!list.judge(&alone("a", &above)).good(), "an exception's limit holds");
+        assert!(list.judge(&alone("a", &even)).good(), "whether its limit of colours is needed is not known");
+    }
+
+    #[test]
+    fn a_drivers_exceptions_are_its_own() {
+        let list = |driver: &str| Exceptions::parse(&format!("{LIST}driver = \"{driver}\"\n")).unwrap();
+        let (right, wrong) = (Score::default(), score(5, 0.0));
+        let of = |score| judged("a", 10.0, "cpu", score, Peer::Nobody);
+        assert!(list("soft").judge(&of(&wrong)).good() && !list("hard").judge(&of(&wrong)).good());
+        assert!(!list("soft").judge(&of(&right)).good() && list("hard").judge(&of(&right)).good());
     }
 
     #[test]

@@ -95,7 +95,7 @@ pub fn families() -> Vec<Family> {
             about: "Viewports of 1 x 1 to 16384 x 16384, seen through a window at their lower left, their middle and their upper right; and windows as long as the viewport.",
             knob: "viewport, in pixels",
             severities: &[1.0, 2.0, 16.0, 256.0, 4096.0, 16384.0],
-            inside: |severity| severity <= 8192.0,
+            inside: |_| true,
             make: viewports,
         },
     ]

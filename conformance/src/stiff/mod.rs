@@ -75,7 +75,7 @@ pub struct Family {
     pub knob: &'static str,
     /// From harmless to brutal.
     pub severities: &'static [f64],
-    /// Whether everything lies in the range of window coordinates that Tepui promises (-8192 to 24575), and the eye outside.
+    /// Whether everything lies in the range of window coordinates that Tepui promises (-16384 to 32767), and the eye outside.
     pub inside: fn(f64) -> bool,
     /// The cases of a severity for a seed.
     pub make: fn(f64, u64) -> Vec<Case>,

@@ -15,6 +15,7 @@ use super::params::{FEW_TRIANGLES, FrontParams, Params, SEGMENT_WORDS, Status, i
 use super::profile::{Profile, StageTime};
 use super::room::Room;
 use super::stage::{CLEAR_ROWS, Stage, VISIBLE_LANES, Visible, emit_lanes};
+use super::stats;
 use super::surface::stats_level;
 use super::texture::Heap;
 use super::visible;
@@ -438,7 +439,8 @@ impl Executor {
             }
         }
         if stats_level() > 0 {
-            self.print_stats(&batch, &prepared, start.elapsed());
+            let host = prepared.on_host.then_some(self.host_front.triangles.len());
+            stats::print(&batch, &prepared.plan, host, start.elapsed());
         }
         if !prepared.on_host {
             let places = prepared.plan.actions.iter().map(|a| a.0).collect();
@@ -496,24 +498,6 @@ impl Executor {
         let growing =
             growing.into_iter().chain([&b.front, &b.lists, &b.params, &b.indirect, &b.queue]).map(|g| (g.label(), g.get().size()));
         growing.chain(b.keys.as_ref().map(|keys| ("keys", keys.size()))).collect()
-    }
-
-    fn print_stats(&self, batch: &Batch, prepared: &Prepared, time: std::time::Duration) {
-        let plan = &prepared.plan;
-        let count = |which: fn(&Action) -> bool| plan.actions.iter().filter(|a| which(&a.1)).count();
-        let front = if prepared.on_host {
-            format!("{} triangles set up by the host", self.host_front.triangles.len())
-        } else {
-            format!("{} slices set up by kernels", count(|a| matches!(a, Action::Front(..))))
-        };
-        eprintln!(
-            "tepui: gpu: {} primitives, {} draws, {front}, {} segments, {} clears, encoded in {:.2} ms",
-            batch.primitives.len(),
-            batch.draws.len(),
-            count(|a| matches!(a, Action::Draw(..))),
-            count(|a| matches!(a, Action::Clear(..))),
-            time.as_secs_f64() * 1e3,
-        );
     }
 }
 

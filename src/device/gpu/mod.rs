@@ -17,6 +17,7 @@ mod room;
 mod segment;
 mod source;
 mod stage;
+mod stats;
 mod surface;
 #[cfg(test)]
 mod tests;

@@ -256,6 +256,36 @@ fn triangles_of_all_sizes_agree_in_every_pixel() {
 }
 
 #[test]
+fn triangles_from_one_end_of_the_coordinates_to_the_other_agree() {
+    let size = [200, 150];
+    let depth = FragmentState { flags: fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE, ..fragment_state() };
+    // The first pixel of a viewport of 16384 x 16384: the surface sees its end, its middle, its start.
+    for first in [[-16184.0f32, -16234.0], [-8000.0, -16234.0], [-16184.0, 100.0], [0.0, 0.0]] {
+        let mut random = Random(11);
+        let mut builder = Builder::new(size[0], size[1]);
+        let state = &mut builder.batch.raster_states[0];
+        (state.viewport_scale, state.viewport_translate) = ([8192.0, 8192.0, 0.5], [first[0] + 8192.0, first[1] + 8192.0, 0.5]);
+        let mut vertices = Vec::new();
+        for _ in 0..60 {
+            // One corner on the surface, the others at the borders of the viewport.
+            let seen = [random.range(0.0, 200.0), random.range(0.0, 150.0)];
+            let seen = [0, 1].map(|k| (seen[k] - first[k]) / 8192.0 - 1.0).map(|v| v.clamp(-1.0, 1.0));
+            for corner in 0..3 {
+                let mut border = || [-1.0, 1.0, random.range(-1.0, 1.0)][random.below(3) as usize];
+                let [x, y] = if corner == 0 { seen } else { [border(), border()] };
+                vertices.push([x, y, random.range(-0.9, 0.9), 1.0, random.next(), random.next(), random.next(), 1.0]);
+            }
+        }
+        builder.draw(topology::TRIANGLES, &vertices, 0, depth);
+        for (way, gpu) in all_ways() {
+            let Ok(gpu) = gpu else { return };
+            eprintln!("{way}");
+            compare_with(&gpu, &builder.batch, size, FORMAT);
+        }
+    }
+}
+
+#[test]
 fn equal_depths_keep_the_order_of_their_function() {
     let size = [64, 48];
     // LESS keeps the first of two equal triangles, LEQUAL the last; half of them are clipped.

@@ -186,7 +186,7 @@ fn partial_block<S: Simd, D: Dest, const PIXEL_BY_PIXEL: bool>(
         let lanes = S::load_u(&[0, 1, 2, 3, 4, 5, 6, 7]);
         let (mut values, mut steps) = ([S::i(0); 3], [S::i(0); 3]);
         for i in 0..3 {
-            // Steps are at most 2^23: within a block no sample changes its sign by this.
+            // Steps are below 2^24: within a block no sample changes its sign by this.
             let start = v[i].clamp(-(1 << 30), 1 << 30) as i32;
             values[i] = S::iadd(S::i(start), S::imul(S::i(a[i]), lanes));
             steps[i] = S::i(b[i]);
