@@ -77,7 +77,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#if REJECTS
             tp_furthest[r] = 0u;
 //#each $
-            tp_furthest[r] = max(tp_furthest[r], tp_depths[r * i32(TP_SAMPLES) + $] & 0xffffffu);
+            tp_furthest[r] = max(tp_furthest[r], tp_depths[r * i32(TP_SAMPLES) + $] & TP_DEPTH_MASK);
 //#end
 //#endif
             continuing {
@@ -222,7 +222,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#if WRITES_DEPTH
                 const tp_visible = true;
 //#else
-                let depth_pass = tp_depth_test(state, depth, old_depth & 0xffffffu);
+                let depth_pass = tp_depth_test(state, depth, old_depth & TP_DEPTH_MASK);
 //#if NEEDS_KILL_FIRST
                 const tp_visible = true;
 //#else
@@ -259,7 +259,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#endif
 //#if WRITES_DEPTH
                 let depth = tp_quantise(state, program_depth);
-                let depth_pass = tp_depth_test(state, depth, old_depth & 0xffffffu);
+                let depth_pass = tp_depth_test(state, depth, old_depth & TP_DEPTH_MASK);
 //#endif
 //#if STENCIL_TEST
 //#if DEPTH_TEST
@@ -282,7 +282,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#endif
 //#if DEPTH_WRITE
                 if (passes && (state.flags & TP_DEPTH_WRITE_ON) == TP_DEPTH_WRITE_ON) {
-                    new_depth = (new_depth & 0xff000000u) | depth;
+                    new_depth = (new_depth & ~TP_DEPTH_MASK) | depth;
                 }
 //#endif
 //#if DEPTH_BUFFER

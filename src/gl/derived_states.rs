@@ -129,14 +129,16 @@ impl Context {
         set(&mut flags, state.line.smooth, raster_flags::LINE_SMOOTH);
         set(&mut flags, state.line.stipple, raster_flags::LINE_STIPPLE);
         set(&mut flags, self.multisamples(), raster_flags::MULTISAMPLE);
+        set(&mut flags, self.draw_format().depth.is_float(), raster_flags::FLOAT_DEPTH);
         let (near, far) = (viewport.near, viewport.far);
         let (half_width, half_height) = (0.5 * viewport.width as f32, 0.5 * viewport.height as f32);
         let middle = half_height + viewport.y as f32;
         let (scissor_min, scissor_max) = self.drawable_rectangle();
-        // A unit of offset is twice the step of the depth format, as llvmpipe has it.
+        // A unit of offset is twice the step of the depth format, as llvmpipe has it; of floating-point depths it is the polygon's.
         let format = self.draw_format();
         let unit = match format.depth {
             DepthFormat::D16 => 2.0 / 65535.0,
+            DepthFormat::F32 => 1.0,
             _ => 2.0 / 16777215.0,
         };
         RasterState {

@@ -133,8 +133,8 @@ fn clear_params(clear: &Clear, mut params: Params, format: SurfaceFormat) -> Opt
         formats::mask(format.color, mask_bits(clear.color_mask), &mut params.clear_mask[..words]);
     }
     if let (Some(depth), true) = (clear.depth, format.depth != DepthFormat::None) {
-        params.clear_depth |= (depth.clamp(0.0, 1.0) * ((1u32 << format.depth.bits()) - 1) as f64) as u32;
-        params.clear_depth_mask |= 0xff_ffff;
+        params.clear_depth |= format.depth.word(depth);
+        params.clear_depth_mask |= format.depth.mask();
     }
     if let (Some((stencil, writes)), true) = (clear.stencil, format.stencil) {
         params.clear_depth |= ((stencil & writes) as u32) << 24;

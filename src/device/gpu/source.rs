@@ -272,6 +272,7 @@ pub fn record_constants() -> String {
         ("TP_LINE_SMOOTH", raster_flags::LINE_SMOOTH),
         ("TP_WINDOW_SPACE", raster_flags::WINDOW_SPACE),
         ("TP_NO_Z_CLIP", raster_flags::NO_Z_CLIP),
+        ("TP_FLOAT_DEPTH", raster_flags::FLOAT_DEPTH),
         ("TP_CLIP_RIGHT", clip_code::RIGHT),
         ("TP_CLIP_LEFT", clip_code::LEFT),
         ("TP_CLIP_TOP", clip_code::TOP),
