@@ -153,7 +153,7 @@ fn page(options: &Options, about: &[(&str, String)], results: &[FamilyResult]) -
                     "Colour errors are in 1/255 against f64 (a correctly rounded value is off by up to 0.5), depth errors in units in the last place of the depth buffer. "
                     "Values are compared where just one primitive must cover a sample and no other may. Times are sums over the images of a severity, the fastest frame of each. "
                     "Outside: corners beyond the guard band, or the eye inside the geometry. "
-                    "There is no multisampling in Tepui yet, and OSMesa has no 32 bit floating-point depth without framebuffer objects: neither is measured."
+                    "With floating-point depth, coverage is that of the same calls in the window, depth and colour are those of a framebuffer object. Several samples a pixel are not measured here."
                 }
                 h2 { "Findings" }
                 (found("Where Tepui is the more exact", &better))
