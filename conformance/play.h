@@ -1,7 +1,8 @@
 /* Plays generated recordings: GL state and vertices that conformance/src/recording.rs wrote to a file, so that every
  * implementation is given exactly the same numbers, bit for bit.
  *
- * A recording is lines of text. The first is `target <width> <height> <depth bits>`; every other one is a command of the
+ * A recording is lines of text. The first is `target <width> <height> <depth bits>`, where 32 bits are floating point (FLOAT_DEPTH in
+ * scene.h: it is played twice); every other one is a command of the
  * table in play.c and its arguments: integers in decimal, floats as the eight hexadecimal digits of their bits after an x.
  * `draw` and `texture` are followed by raw data, which starts at a multiple of four bytes.
  *

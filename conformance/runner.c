@@ -5,7 +5,8 @@
  *   list                  one line a scene: name <tab> class <tab> width <tab> height <tab> flags <tab> what it proves
  *   about                 GL_VENDOR, GL_RENDERER, GL_VERSION of a small context
  *   run <scene> <prefix>  draws once; writes <prefix>.color (RGBA8, bottom row first), .depth (u32, native units),
- *                         .stencil (u8), .text, .meta (width height depth-bits clear colour clear depth error)
+ *                         .stencil (u8), .text, .meta (width height depth-bits clear colour clear depth error);
+ *                         depth of 32 bits: the bits of floats
  *   open <scene>          makes the context of a timing
  *   frame                 draws once more in it and prints "ms <milliseconds>", drawing and glFinish
  *   close                 ends it
@@ -53,18 +54,37 @@ struct target {
     OSMesaContext context;
     unsigned char *color;
     int width, height, depth_bits;
+    GLuint framebuffer; /* with floating-point depth, where the scene wants it */
 };
+
+static void attach(GLenum attachment, GLenum format, const struct target *t)
+{
+    GLuint buffer;
+    glGenRenderbuffers(1, &buffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorage(GL_RENDERBUFFER, format, t->width, t->height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+}
 
 static const char *target_open(struct target *t, const struct scene *s)
 {
     t->width = s->width;
     t->height = s->height;
-    t->depth_bits = s->flags & DEPTH16 ? 16 : 24;
+    t->depth_bits = s->flags & FLOAT_DEPTH ? 32 : s->flags & DEPTH16 ? 16 : 24;
     if (s->width < 1 || s->height < 1) return "a target has at least one pixel";
     t->color = calloc((size_t)s->width * s->height, 4);
-    t->context = OSMesaCreateContextExt(OSMESA_RGBA, t->depth_bits, 8, s->flags & ACCUM ? 16 : 0, NULL);
+    t->context = OSMesaCreateContextExt(OSMESA_RGBA, t->depth_bits < 24 ? t->depth_bits : 24, 8, s->flags & ACCUM ? 16 : 0, NULL);
     if (!t->context) return "no context";
     if (!OSMesaMakeCurrent(t->context, t->color, GL_UNSIGNED_BYTE, s->width, s->height)) return "MakeCurrent failed";
+    if (t->depth_bits == 32) {
+        glGenFramebuffers(1, &t->framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, t->framebuffer);
+        attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, t);
+        attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, t);
+        int complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        if (!complete) return "no floating-point depth";
+    }
     return NULL;
 }
 
@@ -76,11 +96,35 @@ static void target_close(struct target *t)
     memset(t, 0, sizeof *t);
 }
 
-static void draw_once(const struct scene *s)
+static void clear_and_draw(const struct scene *s)
 {
     glClearColor(0.1f, 0.1f, 0.15f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     s->draw(s->width, s->height);
+}
+
+/* In the window for its text and for hits counted in the stencil buffer; colour and depth are the framebuffer object's. */
+static void draw_twice(const struct target *t, const struct scene *s)
+{
+    FILE *file = text_file;
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    clear_and_draw(s);
+    glPopAttrib();
+    text_file = NULL;
+    glBindFramebuffer(GL_FRAMEBUFFER, t->framebuffer);
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    clear_and_draw(s);
+    glPopAttrib();
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, t->width, t->height, 0, 0, t->width, t->height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    text_file = file;
+}
+
+static void draw_once(const struct target *t, const struct scene *s)
+{
+    if (t->framebuffer) draw_twice(t, s);
+    else clear_and_draw(s);
     glFinish();
 }
 
@@ -116,7 +160,9 @@ static const char *write_results(const struct target *t, const struct scene *s, 
     GLuint *depth = calloc(n, 4);
     unsigned char *stencil = calloc(n, 1);
     plain_reads();
-    glReadPixels(0, 0, s->width, s->height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, t->framebuffer);
+    glReadPixels(0, 0, s->width, s->height, GL_DEPTH_COMPONENT, t->framebuffer ? GL_FLOAT : GL_UNSIGNED_INT, depth);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     for (size_t i = 0; i < n; i++) depth[i] >>= 32 - t->depth_bits;
     glReadPixels(0, 0, s->width, s->height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencil);
     GLfloat c[4] = {0}, z = 1;
@@ -139,7 +185,7 @@ static const char *run(const struct scene *s, const char *prefix)
     if (why) return why;
     snprintf(path, sizeof path, "%s.text", prefix);
     text_file = fopen(path, "w");
-    draw_once(s);
+    draw_once(&t, s);
     if (text_file) fclose(text_file);
     text_file = NULL;
     why = write_results(&t, s, prefix);
@@ -163,12 +209,12 @@ static const char *play(int frames, const char *path, const char *prefix)
     struct target t = {0};
     const char *why = recording_load(&recording, path);
     struct scene s = {.name = "recording", .width = recording.width, .height = recording.height,
-                      .flags = recording.depth_bits == 16 ? DEPTH16 : 0, .draw = draw_recording};
+                      .flags = recording.depth_bits == 32 ? FLOAT_DEPTH : recording.depth_bits == 16 ? DEPTH16 : 0, .draw = draw_recording};
     if (!why) why = target_open(&t, &s);
     if (!why && !dump(prefix, "text", "", 0)) why = "cannot write the results";
     for (int i = 0; i < frames && !why; i++) {
         double start = milliseconds();
-        draw_once(&s);
+        draw_once(&t, &s);
         printf("ms %.6f\n", milliseconds() - start);
         why = play_error;
         if (!why && i == 0) why = write_results(&t, &s, prefix);
@@ -253,7 +299,7 @@ int main(int argc, char **argv)
         } else if (!strcmp(command, "frame")) {
             if (open_scene) {
                 double start = milliseconds();
-                draw_once(open_scene);
+                draw_once(&open_target, open_scene);
                 printf("ms %.6f\n", milliseconds() - start);
             } else {
                 why = "nothing is open";

@@ -31,7 +31,10 @@ enum scene_flags {
     ACCUM = 1,    /* needs an accumulation buffer */
     TIMED = 2,    /* one of the timing scenes of `bench` */
     DEPTH16 = 4,  /* 16 bit depth buffer */
-    TEXT_ONLY = 8 /* its result is text, the picture does not matter */
+    TEXT_ONLY = 8, /* its result is text, the picture does not matter */
+    /* Drawn into the window, then, without text, into a framebuffer object with a floating-point depth buffer: colour and depth are
+     * taken from there. Binds no framebuffer. */
+    FLOAT_DEPTH = 16
 };
 
 struct scene {

@@ -56,6 +56,12 @@ fn tp_constant(v: vec4<f32>) -> array<vec4<f32>, 3> {
     return array<vec4<f32>, 3>(v, vec4<f32>(0.0), vec4<f32>(0.0));
 }
 
+// The step of floating-point depths at the farthest vertex (ARB_depth_buffer_float, 3.5.5); zero where there is no normal number that small.
+fn tp_float_step(z: vec3<f32>) -> f32 {
+    let exponent = bitcast<i32>(max(z.x, max(z.y, z.z))) & 0x7f800000;
+    return bitcast<f32>(max(exponent - (23 << 23u), 0));
+}
+
 // The z offset of a polygon: units + factor * the greatest slope (3.5.5).
 fn tp_polygon_offset(state: u32, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> f32 {
     let d01 = a - b;
@@ -64,7 +70,11 @@ fn tp_polygon_offset(state: u32, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> f3
     let dzdx = abs((tp_mul(d01.z, d20.y) - tp_mul(d20.z, d01.y)) * ooa);
     let dzdy = abs((tp_mul(d20.z, d01.x) - tp_mul(d01.z, d20.x)) * ooa);
     let slope = select(dzdy, dzdx, dzdx > dzdy);
-    let offset = tp_state_float(state, TP_STATE_OFFSET_UNITS) + tp_mul(slope, tp_state_float(state, TP_STATE_OFFSET_FACTOR));
+    var units = tp_state_float(state, TP_STATE_OFFSET_UNITS);
+    if ((tp_front_records[state + TP_STATE_FLAGS] & TP_FLOAT_DEPTH) != 0u) {
+        units = tp_mul(units, tp_float_step(vec3<f32>(a.z, b.z, c.z)));
+    }
+    let offset = units + tp_mul(slope, tp_state_float(state, TP_STATE_OFFSET_FACTOR));
     return select(0.0, offset, tp_finite(offset));
 }
 

@@ -127,7 +127,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#if REJECTS
             tp_furthest[r] = 0u;
 //#each $
-            tp_furthest[r] = max(tp_furthest[r], tp_depths[r * i32(TP_SAMPLES) + $] & 0xffffffu);
+            tp_furthest[r] = max(tp_furthest[r], tp_depths[r * i32(TP_SAMPLES) + $] & TP_DEPTH_MASK);
 //#end
 //#endif
             continuing {

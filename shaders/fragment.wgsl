@@ -18,7 +18,7 @@ if (inside) {
 //#if WRITES_DEPTH
     const tp_visible = true;
 //#else
-    let depth_pass = tp_depth_test(state, depth, old_depth & 0xffffffu);
+    let depth_pass = tp_depth_test(state, depth, old_depth & TP_DEPTH_MASK);
 //#if NEEDS_KILL_FIRST
     const tp_visible = true;
 //#else
@@ -55,7 +55,7 @@ if (inside) {
 //#endif
 //#if WRITES_DEPTH
     let depth = tp_quantise(state, program_depth);
-    let depth_pass = tp_depth_test(state, depth, old_depth & 0xffffffu);
+    let depth_pass = tp_depth_test(state, depth, old_depth & TP_DEPTH_MASK);
 //#endif
 //#if STENCIL_TEST
 //#if DEPTH_TEST
@@ -78,7 +78,7 @@ if (inside) {
 //#endif
 //#if DEPTH_WRITE
     if (passes && (state.flags & TP_DEPTH_WRITE_ON) == TP_DEPTH_WRITE_ON) {
-        new_depth = (new_depth & 0xff000000u) | depth;
+        new_depth = (new_depth & ~TP_DEPTH_MASK) | depth;
     }
 //#endif
 //#if DEPTH_BUFFER

@@ -50,7 +50,13 @@ fn tp_quantise(s: TpState, z: f32) -> u32 {
 //#else
     let clamped = saturate(z);
 //#endif
+//#if FLOAT_DEPTH
+    // Its bits. Numbers below the normal ones become zero, as on a device that has none.
+    let bits = bitcast<i32>(clamped);
+    return u32(select(0, bits, bits >= 0x800000));
+//#else
     return tp_round(tp_mul(clamped, TP_DEPTH_SCALE));
+//#endif
 }
 
 fn tp_stencil_test(s: TpState, old: u32) -> bool {

@@ -47,7 +47,7 @@
 //#else
                 let depth_$ = tp_quantise(state, tp_fma(y + zy_$, p2, zx_$));
 //#endif
-                depth_pass |= select(0u, 1u << $u, tp_depth_test(state, depth_$, old_$ & 0xffffffu));
+                depth_pass |= select(0u, 1u << $u, tp_depth_test(state, depth_$, old_$ & TP_DEPTH_MASK));
 //#end
 //#else
 //#if WRITES_DEPTH
@@ -89,7 +89,7 @@
                 let depth = tp_quantise(state, program_depth);
                 depth_pass = 0u;
 //#each $
-                depth_pass |= select(0u, 1u << $u, tp_depth_test(state, depth, old_$ & 0xffffffu));
+                depth_pass |= select(0u, 1u << $u, tp_depth_test(state, depth, old_$ & TP_DEPTH_MASK));
 //#end
 //#endif
                 let passes = cover & stencil_pass & depth_pass;
@@ -105,9 +105,9 @@
 //#if DEPTH_WRITE
                     let writes = (passes & (1u << $u)) != 0u && (state.flags & TP_DEPTH_WRITE_ON) == TP_DEPTH_WRITE_ON;
 //#if WRITES_DEPTH
-                    fresh = select(fresh, (fresh & 0xff000000u) | depth, writes);
+                    fresh = select(fresh, (fresh & ~TP_DEPTH_MASK) | depth, writes);
 //#else
-                    fresh = select(fresh, (fresh & 0xff000000u) | depth_$, writes);
+                    fresh = select(fresh, (fresh & ~TP_DEPTH_MASK) | depth_$, writes);
 //#endif
 //#endif
                     tp_depths[r * i32(TP_SAMPLES) + $] = fresh;
@@ -124,7 +124,7 @@
 //#if REJECTS
                 tp_furthest[r] = 0u;
 //#each $
-                tp_furthest[r] = max(tp_furthest[r], tp_depths[r * i32(TP_SAMPLES) + $] & 0xffffffu);
+                tp_furthest[r] = max(tp_furthest[r], tp_depths[r * i32(TP_SAMPLES) + $] & TP_DEPTH_MASK);
 //#end
 //#endif
                 dirty |= 1u << u32(r);

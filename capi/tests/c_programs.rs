@@ -45,6 +45,11 @@ fn a_program_may_load_and_unload_the_library() {
 }
 
 #[test]
+fn floating_point_depths_come_back_as_they_are() {
+    run("float_depth", &["-lm"]);
+}
+
+#[test]
 fn a_window_with_samples_is_resolved_for_its_program() {
     run("multisample", &[]);
 }

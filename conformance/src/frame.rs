@@ -13,7 +13,7 @@ pub struct Frame {
     pub width: usize,
     /// RGBA8.
     pub color: Vec<u8>,
-    /// In units of the depth format.
+    /// In units of the depth format; of floating point, the bits.
     pub depth: Vec<u32>,
     /// Stencil values.
     pub stencil: Vec<u8>,
@@ -44,7 +44,10 @@ impl Frame {
         let fields: Vec<&str> = meta.split_whitespace().collect();
         let number = |i: usize| fields.get(i).and_then(|f| f.parse::<f64>().ok()).ok_or_else(|| format!("meta: {meta:?}"));
         let unorm8 = |v: f64| (v.clamp(0.0, 1.0) * 255.0).round() as u8;
-        let units = (1u64 << number(2)? as u32) as f64 - 1.0;
+        let far = match number(2)? as u32 {
+            32 => (number(7)? as f32).to_bits(),
+            bits => (number(7)? * ((1u64 << bits) as f64 - 1.0)).round() as u32,
+        };
         Ok(Frame {
             width: number(0)? as usize,
             color: file("color")?,
@@ -52,10 +55,7 @@ impl Frame {
             stencil: file("stencil")?,
             text: string("text")?.lines().map(str::to_owned).collect(),
             error: fields.get(8).copied().unwrap_or("?").to_owned(),
-            background: (
-                [unorm8(number(3)?), unorm8(number(4)?), unorm8(number(5)?), unorm8(number(6)?)],
-                (number(7)? * units).round() as u32,
-            ),
+            background: ([unorm8(number(3)?), unorm8(number(4)?), unorm8(number(5)?), unorm8(number(6)?)], far),
         })
     }
 

@@ -115,7 +115,7 @@ pub struct Recording {
     pub width: usize,
     /// Rows of the target.
     pub height: usize,
-    /// Bits of its depth buffer, 16 or 24.
+    /// Bits of its depth buffer: 16, 24, or 32 for floating point.
     pub depth_bits: u32,
     bytes: Vec<u8>,
 }

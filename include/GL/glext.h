@@ -873,6 +873,13 @@ GLAPI void APIENTRY glClampColorARB (GLenum target, GLenum clamp);
 #endif
 #endif /* GL_ARB_color_buffer_float */
 
+#ifndef GL_ARB_depth_buffer_float
+#define GL_ARB_depth_buffer_float 1
+#define GL_DEPTH_COMPONENT32F 0x8CAC
+#define GL_DEPTH32F_STENCIL8 0x8CAD
+#define GL_FLOAT_32_UNSIGNED_INT_24_8_REV 0x8DAD
+#endif /* GL_ARB_depth_buffer_float */
+
 #ifndef GL_ARB_depth_clamp
 #define GL_ARB_depth_clamp 1
 #define GL_DEPTH_CLAMP 0x864F

@@ -42,7 +42,7 @@ impl ColorFormat {
     }
 }
 
-/// Storage of depth: a word a pixel, depth in the low 24 bits, stencil in the high 8.
+/// Storage of depth: a word a pixel, depth in the low 24 bits, stencil in the high 8; or all of the word depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DepthFormat {
     /// No depth buffer.
@@ -51,6 +51,8 @@ pub enum DepthFormat {
     D16,
     /// 24 bits.
     D24,
+    /// The bits of a floating-point number from 0 to 1: in the order of the numbers. There is no room for stencil.
+    F32,
 }
 
 impl DepthFormat {
@@ -60,7 +62,35 @@ impl DepthFormat {
             DepthFormat::None => 0,
             DepthFormat::D16 => 16,
             DepthFormat::D24 => 24,
+            DepthFormat::F32 => 32,
         }
+    }
+
+    /// Floating point.
+    pub fn is_float(self) -> bool {
+        self == DepthFormat::F32
+    }
+
+    /// Bits of a word that hold depth.
+    pub fn mask(self) -> u32 {
+        if self.is_float() { !0 } else { 0xff_ffff }
+    }
+
+    /// The greatest integer; of floating point, the number 1.
+    pub fn most(self) -> f64 {
+        if self.is_float() { 1.0 } else { ((1u32 << self.bits()) - 1).max(1).into() }
+    }
+
+    /// The bits of a depth, clamped and rounded to nearest.
+    pub fn word(self, depth: f64) -> u32 {
+        // A negative zero becomes a positive one.
+        let depth = depth.clamp(0.0, 1.0) + 0.0;
+        if self.is_float() { (depth as f32).to_bits() } else { (depth * self.most()).round_ties_even() as u32 }
+    }
+
+    /// The depth of a word, from 0 to 1.
+    pub fn depth(self, word: u32) -> f64 {
+        if self.is_float() { f32::from_bits(word).into() } else { f64::from(word & self.mask()) / self.most() }
     }
 }
 

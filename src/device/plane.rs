@@ -12,7 +12,7 @@ use super::{ColorFormat, DepthFormat, SurfaceFormat};
 pub enum PlaneFormat {
     /// Colours.
     Color(ColorFormat),
-    /// Depth in the low 24 bits of a word, stencil in the high 8.
+    /// Depth in the low 24 bits of a word, stencil in the high 8; floating-point depth in all of it.
     DepthStencil {
         /// Depth.
         depth: DepthFormat,
@@ -235,7 +235,7 @@ pub struct Pixels<'a> {
     pub format: SurfaceFormat,
     /// `samples * width * height * format.color.words()` words, sample by sample.
     pub color: Rows<'a>,
-    /// `samples * width * height` words (empty without depth and stencil): depth in the low 24 bits, stencil in the high 8.
+    /// `samples * width * height` words (empty without depth and stencil): see [`DepthFormat`].
     pub depth_stencil: Rows<'a>,
 }
 

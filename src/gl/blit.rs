@@ -117,10 +117,10 @@ impl Context {
         }
         let source = in_rows(source, from.size[1], from.format.top_first);
         self.change_all_pixels(aspect, |pixels, mask| {
-            let SurfaceFormat { color, top_first, samples, .. } = pixels.format;
+            let SurfaceFormat { color, depth, top_first, samples, .. } = pixels.format;
             let (work, words, rows) = match aspect {
                 Aspect::Color => (Work::Color { from: from.format.color, to: color, linear }, color.words(), &mut *pixels.color),
-                Aspect::Depth => (Work::Words { mask: 0xff_ffff }, 1, &mut *pixels.depth_stencil),
+                Aspect::Depth => (Work::Words { mask: depth.mask() }, 1, &mut *pixels.depth_stencil),
                 Aspect::Stencil => (Work::Words { mask: 0xff00_0000 }, 1, &mut *pixels.depth_stencil),
             };
             let from_words = if aspect == Aspect::Color { from.format.color.words() } else { 1 };

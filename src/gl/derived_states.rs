@@ -129,25 +129,29 @@ impl Context {
         set(&mut flags, state.line.smooth, raster_flags::LINE_SMOOTH);
         set(&mut flags, state.line.stipple, raster_flags::LINE_STIPPLE);
         set(&mut flags, self.multisamples(), raster_flags::MULTISAMPLE);
-        let (near, far) = (viewport.near, viewport.far);
+        set(&mut flags, self.draw_format().depth.is_float(), raster_flags::FLOAT_DEPTH);
+        // In single precision, as Mesa keeps them.
+        let (near, far) = (viewport.near as f32, viewport.far as f32);
+        let (depth_scale, depth_middle) = (0.5 * (far - near), 0.5 * (near + far));
         let (half_width, half_height) = (0.5 * viewport.width as f32, 0.5 * viewport.height as f32);
         let middle = half_height + viewport.y as f32;
         let (scissor_min, scissor_max) = self.drawable_rectangle();
-        // A unit of offset is twice the step of the depth format, as llvmpipe has it.
+        // A unit of offset is twice the step of the depth format, as llvmpipe has it; of floating-point depths it is the polygon's.
         let format = self.draw_format();
         let unit = match format.depth {
             DepthFormat::D16 => 2.0 / 65535.0,
+            DepthFormat::F32 => 1.0,
             _ => 2.0 / 16777215.0,
         };
         RasterState {
             flags,
             polygon_mode: polygon.mode.map(polygon_mode_of),
             line_stipple: u32::from(state.line.stipple_pattern) | (state.line.stipple_factor.clamp(1, 256) as u32) << 16,
-            viewport_scale: [half_width, if format.top_first { -half_height } else { half_height }, (0.5 * (far - near)) as f32],
+            viewport_scale: [half_width, if format.top_first { -half_height } else { half_height }, depth_scale],
             viewport_translate: [
                 half_width + viewport.x as f32,
                 if format.top_first { self.draw_size()[1] as f32 - middle } else { middle },
-                (0.5 * (near + far)) as f32,
+                depth_middle,
             ],
             scissor_min,
             scissor_max,
@@ -155,7 +159,8 @@ impl Context {
             offset_units: polygon.offset_units * unit,
             line_width: state.line.width.clamp(1.0, 255.0),
             point_size: state.point.size.clamp(state.point.size_min.max(1.0), state.point.size_max.min(255.0).max(1.0)),
-            depth_range: [near.min(far) as f32, near.max(far) as f32],
+            // What llvmpipe clamps to: what the transform makes of the planes, a rounding beside the range that was asked for.
+            depth_range: [depth_middle - depth_scale.abs(), depth_middle + depth_scale.abs()].map(|z| z.clamp(0.0, 1.0)),
             polygon_stipple: NONE,
             reserved: 0,
         }

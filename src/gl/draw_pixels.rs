@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::Context;
 use super::enums::*;
-use super::framebuffer::{depth_max, pixel_index, quantize_depth, write_color, write_depth_stencil};
+use super::framebuffer::{depth_word, pixel_index, write_color, write_depth_stencil};
 use super::framebuffer_object::Aspect;
 use super::pixel_format::{ClientImage, Groups, check};
 use super::pixel_rectangle::Placed;
@@ -114,12 +114,14 @@ impl Context {
             return;
         }
         self.change_pixels(Aspect::Depth, |pixels, _| {
-            let max = depth_max(pixels.format.depth);
+            let format = pixels.format.depth;
             for (y, row) in (placed.rect.min[1]..).zip(depths.chunks_exact(placed.rect.width())) {
                 let first = pixel_index(pixels, placed.rect.min[0], y);
                 for (x, depth) in row.iter().enumerate() {
-                    let depth = quantize_depth(*depth, max);
-                    write_depth_stencil(pixels, first + x, |old| old & 0xff00_0000 | depth);
+                    // Numbers too small to be normal are zero for fragments.
+                    let depth = if *depth < f64::from(f32::MIN_POSITIVE) { 0.0 } else { *depth };
+                    let depth = depth_word(format, depth);
+                    write_depth_stencil(pixels, first + x, |old| old & !format.mask() | depth);
                 }
             }
         });
@@ -133,11 +135,11 @@ impl Context {
         let mask = (s.stencil.sides[0].write_mask & 0xff) << 24 | if s.depth.write { 0xff_ffff } else { 0 };
         let words: Vec<u32> = placed.resample(&words, size[0]).into_iter().map(|w| s.pixel.transfer_depth_stencil(w)).collect();
         self.change_pixels(Aspect::Depth, |pixels, _| {
-            let max = depth_max(pixels.format.depth);
+            let format = pixels.format.depth;
             for (y, row) in (placed.rect.min[1]..).zip(words.chunks_exact(placed.rect.width())) {
                 let first = pixel_index(pixels, placed.rect.min[0], y);
                 for (x, word) in row.iter().enumerate() {
-                    let depth = quantize_depth(f64::from(word & 0xff_ffff) / 16777215.0, max);
+                    let depth = depth_word(format, DepthFormat::D24.depth(*word));
                     write_depth_stencil(pixels, first + x, |old| old & !mask | (depth | word & 0xff00_0000) & mask);
                 }
             }

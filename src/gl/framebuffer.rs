@@ -120,22 +120,18 @@ pub(crate) fn put_color(format: ColorFormat, out: &mut [u32], color: [f32; 4], m
 
 /// Depths of a rectangle inside the surface, in [0, 1].
 pub(crate) fn read_depth(pixels: &Pixels, rect: Rect) -> Vec<f64> {
-    let max = depth_max(pixels.format.depth);
+    let format = pixels.format.depth;
     let mut out = Vec::with_capacity(rect.width() * rect.height());
-    rows(pixels, rect, |first| out.extend(pixels.depth_stencil[first..first + rect.width()].iter().map(|d| (d & 0xff_ffff) as f64 / max)));
+    rows(pixels, rect, |first| out.extend(pixels.depth_stencil[first..first + rect.width()].iter().map(|&word| format.depth(word))));
     out
 }
 
-/// Largest depth value of a format.
-pub(crate) fn depth_max(format: DepthFormat) -> f64 {
-    ((1u64 << format.bits()) - 1).max(1) as f64
-}
-
-/// A depth in steps of the buffer. What a client gave in single precision (floats, bytes and shorts) is rounded as Mesa does it, in
+/// The bits of a depth, from 0 to 1, in a buffer. What a client gave in single precision (floats, bytes and shorts) is rounded as Mesa does it, in
 /// single precision; depths of 32-bit integers and of copies are exact.
-pub(crate) fn quantize_depth(depth: f64, max: f64) -> u32 {
-    let single = depth as f32;
-    if single as f64 == depth { (single * max as f32).round_ties_even() as u32 } else { (depth * max).round_ties_even() as u32 }
+pub(crate) fn depth_word(format: DepthFormat, depth: f64) -> u32 {
+    let (single, most) = (depth as f32, format.most());
+    let exact = format.is_float() || f64::from(single) != depth;
+    if exact { format.word(depth) } else { (single * most as f32).round_ties_even() as u32 }
 }
 
 /// Changes the depth and stencil words of all samples of a pixel; `index` counts pixels.

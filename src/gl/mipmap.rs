@@ -66,13 +66,16 @@ fn taps(size: u32, half: u32) -> Vec<([usize; 2], f32)> {
 /// The same of depths; stencil values are those of the first texel.
 fn half_depth(image: &LevelImage, size: [u32; 3], [xs, ys]: [&[([usize; 2], f32)]; 2]) -> LevelImage {
     let width = image.size[0] as usize;
-    let depth = |x: usize, y: usize| f64::from(image.texels[y * width + x] & 0xff_ffff);
+    let stored = image.format.depth();
+    let number = |word: u32| if stored.is_float() { f32::from_bits(word).into() } else { f64::from(word & stored.mask()) };
+    let word = |mean: f64| if stored.is_float() { (mean as f32).to_bits() } else { mean.round() as u32 };
+    let depth = |x: usize, y: usize| number(image.texels[y * width + x]);
     let mix = |a: f64, b: f64, t: f32| a + (b - a) * f64::from(t);
     let mut texels = Vec::with_capacity(xs.len() * ys.len());
     for &([y0, y1], ty) in ys {
         for &([x0, x1], tx) in xs {
             let mean = mix(mix(depth(x0, y0), depth(x1, y0), tx), mix(depth(x0, y1), depth(x1, y1), tx), ty);
-            texels.push(mean.round() as u32 | image.texels[y0 * width + x0] & 0xff00_0000);
+            texels.push(word(mean) | image.texels[y0 * width + x0] & !stored.mask());
         }
     }
     let (internal_format, format) = (image.internal_format, image.format);

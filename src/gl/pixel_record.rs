@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Context;
-use super::framebuffer::{Rect, depth_max, quantize_depth};
+use super::framebuffer::{Rect, depth_word};
 use super::pixel_format::Groups;
 use super::pixel_rectangle::Placed;
 use super::texture_object::unique_image_id;
@@ -115,8 +115,8 @@ impl Context {
     pub(crate) fn record_depths(&mut self, placed: &Placed, depths: &[f64]) {
         let color = self.state.current.raster.color;
         // In the buffer's steps, so that the fragment's depth comes to the same one.
-        let max = depth_max(self.draw_format().depth);
-        self.record_rows(placed, depths, |depth| (color, (f64::from(quantize_depth(depth, max)) / max) as f32));
+        let format = self.draw_format().depth;
+        self.record_rows(placed, depths, |depth| (color, format.depth(depth_word(format, depth)) as f32));
     }
 
     fn record_rows<T: Copy + PartialEq>(&mut self, placed: &Placed, values: &[T], fragment: impl Fn(T) -> ([f32; 4], f32)) {

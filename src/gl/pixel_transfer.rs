@@ -2,9 +2,10 @@
 
 use super::Context;
 use super::enums::*;
-use super::framebuffer::quantize_depth;
+use super::framebuffer::depth_word;
 use super::pixel_format::{ClientImage, Groups};
 use super::state::PixelState;
+use crate::device::DepthFormat;
 
 /// Largest pixel map (GL_MAX_PIXEL_MAP_TABLE).
 pub const MAX_PIXEL_MAP_TABLE: usize = 256;
@@ -67,8 +68,7 @@ impl PixelState {
 
     /// Transfers depth and stencil in one word.
     pub(crate) fn transfer_depth_stencil(&self, word: u32) -> u32 {
-        const MAX: f64 = 16777215.0;
-        let depth = quantize_depth(self.transfer_depth(f64::from(word & 0xff_ffff) / MAX), MAX);
+        let depth = depth_word(DepthFormat::D24, self.transfer_depth(DepthFormat::D24.depth(word)));
         depth | self.transfer_stencil(word >> 24) << 24
     }
 

@@ -4,8 +4,9 @@
 //! GL_RGBA2 and GL_RGB4 with 4, GL_RGB5 with 5 each, 12-bit formats with 16.
 
 use super::enums::*;
-use super::framebuffer::quantize_depth;
+use super::framebuffer::depth_word;
 use super::pixel_format::{Groups, widen};
+use crate::device::DepthFormat;
 use crate::draw::texture::TexelFormat;
 
 /// An internal format.
@@ -45,6 +46,7 @@ impl InternalFormat {
             GL_RGBA12 | GL_RGBA16 => (GL_RGBA, [16; 4]),
             GL_DEPTH_COMPONENT16 => (GL_DEPTH_COMPONENT, [16, 0, 0, 0]),
             GL_DEPTH_COMPONENT | GL_DEPTH_COMPONENT24 | GL_DEPTH_COMPONENT32 => (GL_DEPTH_COMPONENT, [24, 0, 0, 0]),
+            GL_DEPTH_COMPONENT32F => (GL_DEPTH_COMPONENT, [32, 0, 0, 0]),
             GL_DEPTH_STENCIL | GL_DEPTH24_STENCIL8 => (GL_DEPTH_STENCIL, [24, 8, 0, 0]),
             _ => return None,
         };
@@ -90,11 +92,9 @@ impl InternalFormat {
     /// Texels of transferred colours, expanded by the base format and with no more precision than the format keeps.
     pub fn store(self, groups: Groups) -> Vec<u32> {
         match (groups, self.texels()) {
-            (Groups::Depth(depths), _) => depths.into_iter().map(|d| quantize_depth(d, self.depth_max())).collect(),
+            (Groups::Depth(depths), _) => depths.into_iter().map(|d| depth_word(self.depth(), d)).collect(),
             (Groups::DepthStencil(words), _) if self.base == GL_DEPTH_STENCIL => words,
-            (Groups::DepthStencil(words), _) => {
-                words.into_iter().map(|w| quantize_depth(f64::from(w & 0xff_ffff) / 16777215.0, self.depth_max())).collect()
-            }
+            (Groups::DepthStencil(words), _) => words.into_iter().map(|w| depth_word(self.depth(), DepthFormat::D24.depth(w))).collect(),
             (Groups::Rgba8(pixels), TexelFormat::Rgba8) => self.store_rgba8(pixels),
             (Groups::Rgba(pixels), TexelFormat::Rgba8) => self.store_rgba8(pixels.iter().map(|p| to_rgba8(*p)).collect()),
             (Groups::Rgba8(pixels), TexelFormat::Rgba32f) => {
@@ -105,19 +105,22 @@ impl InternalFormat {
         }
     }
 
-    /// Steps of depth.
-    fn depth_max(self) -> f64 {
-        ((1u32 << self.bits[0]) - 1) as f64
+    /// How depths are kept.
+    pub fn depth(self) -> DepthFormat {
+        match self.bits[0] {
+            16 => DepthFormat::D16,
+            32 => DepthFormat::F32,
+            _ => DepthFormat::D24,
+        }
     }
 
     /// Texels as they are sampled: depth as luminance, intensity or alpha (GL_DEPTH_TEXTURE_MODE).
     pub fn sampled(self, texels: &[u32], depth_mode: GLenum) -> Vec<u32> {
         let format = InternalFormat { base: depth_mode, bits: self.bits };
-        let max = self.depth_max();
         texels
             .iter()
             .flat_map(|texel| {
-                let depth = (f64::from(texel & 0xff_ffff) / max) as f32;
+                let depth = self.depth().depth(*texel) as f32;
                 format.expand([depth, depth, depth, depth]).map(f32::to_bits)
             })
             .collect()
@@ -172,7 +175,7 @@ impl InternalFormat {
         if self.is_depth() {
             return match self.base {
                 GL_DEPTH_STENCIL => Groups::DepthStencil(texels.to_vec()),
-                _ => Groups::Depth(texels.iter().map(|t| f64::from(t & 0xff_ffff) / self.depth_max()).collect()),
+                _ => Groups::Depth(texels.iter().map(|&t| self.depth().depth(t)).collect()),
             };
         }
         let red_only = matches!(self.base, GL_LUMINANCE | GL_LUMINANCE_ALPHA | GL_INTENSITY);

@@ -8,6 +8,7 @@ use super::texture_format::InternalFormat;
 use super::texture_object::LevelImage;
 use super::texture_planes::LayerPlanes;
 use super::{Context, dirty};
+use crate::device::DepthFormat;
 use crate::draw::texture::TextureKind;
 
 /// GL_MAX_TEXTURE_SIZE and GL_MAX_CUBE_MAP_TEXTURE_SIZE.
@@ -516,7 +517,7 @@ impl Context {
         // No pixel transfer on this way (6.1.4).
         if let Some((size, mut groups)) = read {
             if let (GL_DEPTH_COMPONENT, Groups::DepthStencil(words)) = (format, &groups) {
-                groups = Groups::Depth(words.iter().map(|w| f64::from(w & 0xff_ffff) / 16777215.0).collect());
+                groups = Groups::Depth(words.iter().map(|&w| DepthFormat::D24.depth(w)).collect());
             }
             if matches!(format, GL_LUMINANCE | GL_LUMINANCE_ALPHA) {
                 // Luminance is red here, not the sum that glReadPixels makes: Mesa's reading, and the useful one.

@@ -51,9 +51,8 @@ pub fn run(clear: &Clear, format: SurfaceFormat, bin: &mut BinPixels) {
     }
     let (mut value, mut mask) = (0, 0);
     if let (Some(depth), true) = (clear.depth, format.depth != DepthFormat::None) {
-        let most = (1u32 << format.depth.bits()) - 1;
-        value |= (depth.clamp(0.0, 1.0) * most as f64).round_ties_even() as u32;
-        mask |= 0xff_ffff;
+        value |= format.depth.word(depth);
+        mask |= format.depth.mask();
     }
     if let (Some((stencil, writes)), true) = (clear.stencil, format.stencil) {
         value |= ((stencil & writes) as u32) << 24;

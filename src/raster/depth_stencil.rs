@@ -1,8 +1,8 @@
 //! Stencil and depth tests on eight pixels of a row.
 
+use super::fine::Plan;
 use super::layout::*;
 use super::simd::Simd;
-use crate::device::DepthFormat;
 
 /// Compares `a` with `b` by `func` (both below 2^31): lanes where it holds.
 #[inline(always)]
@@ -20,15 +20,21 @@ pub fn compare_lanes<S: Simd>(func: u32, a: S::I, b: S::I) -> S::I {
     }
 }
 
-/// Window z to the integers of the depth buffer.
+/// Window z to the integers of a depth buffer.
 #[inline(always)]
 pub fn quantize<S: Simd>(z: S::F, range: [f32; 2], scale: f32) -> S::I {
     S::round(S::mul(S::clamp(z, S::f(range[0]), S::f(range[1])), S::f(scale)))
 }
 
-/// The largest depth value.
-pub fn depth_scale(format: DepthFormat) -> f32 {
-    ((1u32 << format.bits()) - 1) as f32
+/// Window z to the word of any depth buffer.
+#[inline(always)]
+pub fn word<S: Simd>(plan: &Plan, z: S::F) -> S::I {
+    if !plan.depth_format.is_float() {
+        return quantize::<S>(z, plan.depth_range, plan.depth_scale);
+    }
+    // Its bits. Numbers below the normal ones become zero, as on a device that has none.
+    let bits = S::bits(S::clamp(z, S::f(plan.depth_range[0]), S::f(plan.depth_range[1])));
+    S::and(bits, S::gt(bits, S::i(0x7f_ffff)))
 }
 
 /// Applies a stencil operation to stencil values 0 to 255.
@@ -47,18 +53,20 @@ fn operate<S: Simd>(op: u32, stencil: S::I, reference: S::I) -> S::I {
     }
 }
 
-/// Stencil test, depth test and their writes. `z` is quantised; returns the lanes that pass both.
+/// Stencil test, depth test and their writes. `z`: words of depth; returns the lanes that pass both.
 #[inline(always)]
-pub fn test<S: Simd>(state: &FragmentState, front: bool, z: S::I, mask: S::I, pixels: &mut [u32; 8]) -> S::I {
+pub fn test<S: Simd>(plan: &Plan, front: bool, z: S::I, mask: S::I, pixels: &mut [u32; 8]) -> S::I {
+    let state = plan.state;
+    let depth_bits = S::i(plan.depth_format.mask() as i32);
     let old = S::load_u(pixels);
-    let old_z = S::and(old, S::i(0xff_ffff));
+    let old_z = S::and(old, depth_bits);
     if state.flags & fragment_flags::STENCIL_TEST == 0 {
         if state.flags & fragment_flags::DEPTH_TEST == 0 {
             return mask;
         }
         let pass = S::and(mask, compare_lanes::<S>(state.depth_func, z, old_z));
         if state.flags & fragment_flags::DEPTH_WRITE != 0 {
-            let new = S::or(S::andnot(S::i(0xff_ffff), old), z);
+            let new = S::or(S::andnot(depth_bits, old), z);
             S::store_u(S::select(pass, new, old), pixels);
         }
         return pass;

@@ -35,7 +35,7 @@ pub fn choose(state: &FragmentState, format: SurfaceFormat, direct: bool, write_
     }
     let mut mode = 0;
     if state.flags & DEPTH_TEST != 0 {
-        if !matches!(state.depth_func, compare::LESS | compare::LEQUAL) || state.flags & DEPTH_WRITE == 0 {
+        if format.depth.is_float() || !matches!(state.depth_func, compare::LESS | compare::LEQUAL) || state.flags & DEPTH_WRITE == 0 {
             return NONE;
         }
         mode |= DEPTH;

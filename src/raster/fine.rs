@@ -13,7 +13,7 @@ use super::tile::{FULL, LocalEdges, rectangle_mask};
 use super::write::{Color, write};
 use super::{blend, clear, depth_stencil, fast, modulate, samples};
 use crate::device::samples::MAX_SAMPLES;
-use crate::device::{ColorFormat, SurfaceFormat};
+use crate::device::{ColorFormat, DepthFormat, SurfaceFormat};
 use crate::draw::texture::{TextureBinding, TextureKind};
 use crate::draw::{Batch, Clear};
 use crate::program::lanes::{Column4, Environment, FragmentResults, GROUPS, LANES, Machine, ZERO4};
@@ -60,6 +60,8 @@ pub struct Plan<'a> {
     pub tests: bool,
     /// Rows of the polygon stipple.
     stipple: Option<&'a [u32; 32]>,
+    /// Storage of depth.
+    pub depth_format: DepthFormat,
     /// Largest depth value.
     pub depth_scale: f32,
     /// What depth is clamped to.
@@ -107,7 +109,8 @@ impl<'a> Plan<'a> {
                 && !program.writes_depth,
             tests: state.flags & (fragment_flags::DEPTH_TEST | fragment_flags::STENCIL_TEST) != 0,
             stipple: batch.polygon_stipples.get(raster.polygon_stipple as usize),
-            depth_scale: depth_stencil::depth_scale(format.depth),
+            depth_format: format.depth,
+            depth_scale: format.depth.most() as f32,
             depth_range: raster.depth_range,
             constant: blend::constant_pairs(state),
             write_mask,
@@ -160,7 +163,7 @@ pub struct Row {
     pub front: bool,
     /// [`triangle_flags::PERSPECTIVE`]
     pub perspective: bool,
-    /// Quantised depth; of samples it is worked out when it is wanted.
+    /// Words of depth; of samples it is worked out when it is wanted.
     pub z: [u32; 8],
     /// Pixels of which each sample is covered, on a surface with samples, and whether these have depths of their own.
     pub samples: [u8; MAX_SAMPLES as usize],
@@ -383,12 +386,12 @@ pub fn at<S: Simd>(a0: f32, dx: f32, dy: f32, x: S::F, y: S::F) -> S::F {
     S::fma(y, S::f(dy), S::fma(x, S::f(dx), S::f(a0)))
 }
 
-/// The quantised depth of a triangle at eight places.
+/// The words of depth of a triangle at eight places.
 #[inline(always)]
 pub fn depth<S: Simd>(plan: &Plan, planes: &[[f32; 4]], x: S::F, y: S::F) -> S::I {
     let (head, tail) = (planes[0], planes[1]);
     let z = S::add(at::<S>(head[0], head[1], head[2], x, y), S::f(tail[2]));
-    depth_stencil::quantize::<S>(z, plan.depth_range, plan.depth_scale)
+    depth_stencil::word::<S>(plan, z)
 }
 
 /// Eight words from `at` on.
@@ -418,7 +421,7 @@ fn row_of_pixels<S: Simd>(
     if plan.tests {
         z = depth::<S>(plan, planes, x, y);
         if plan.early {
-            mask = depth_stencil::test::<S>(plan.state, front, z, mask, row8(bin.depth_stencil, pixel));
+            mask = depth_stencil::test::<S>(plan, front, z, mask, row8(bin.depth_stencil, pixel));
             if S::signs(mask) == 0 {
                 return;
             }
@@ -549,11 +552,8 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
         }
         let mut z = S::load_u(&row.z);
         if plan.program.writes_depth && plan.tests {
-            z = depth_stencil::quantize::<S>(
-                S::from_bits(S::expand(S::bits(S::load(eight(results.depth.as_flattened(), start))), row.mask)),
-                plan.depth_range,
-                plan.depth_scale,
-            );
+            let depths = S::load(eight(results.depth.as_flattened(), start));
+            z = depth_stencil::word::<S>(plan, S::from_bits(S::expand(S::bits(depths), row.mask)));
         }
         let pixel = row.at as usize;
         let mut color = Color { bytes: S::i(0), columns: [S::f(0.0); 4] };

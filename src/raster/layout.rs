@@ -171,6 +171,8 @@ pub mod raster_flags {
     pub const NO_Z_CLIP: u32 = 1 << 10;
     /// Each sample of a pixel is covered on its own; otherwise all are where the pixel's centre is.
     pub const MULTISAMPLE: u32 = 1 << 11;
+    /// Units of polygon offset are steps of floating-point depths, which depend on the polygon.
+    pub const FLOAT_DEPTH: u32 = 1 << 12;
 }
 
 /// State of the per-fragment operations.

@@ -152,7 +152,7 @@ fn test<S: Simd>(
             },
         );
         let words = row8(bin.depth_stencil, s * BIN_PIXELS + place.pixel);
-        covered[s] = S::signs(depth_stencil::test::<S>(plan.state, place.front, z, S::mask(covered[s] as u32), words)) as u8;
+        covered[s] = S::signs(depth_stencil::test::<S>(plan, place.front, z, S::mask(covered[s] as u32), words)) as u8;
     }
 }
 

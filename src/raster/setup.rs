@@ -270,6 +270,12 @@ fn offset_corner(mut corner: Corner, offset: f32) -> Corner {
     corner
 }
 
+/// The step of floating-point depths at the farthest vertex (ARB_depth_buffer_float, 3.5.5); zero where there is no normal number that small.
+fn float_step(z: [f32; 3]) -> f32 {
+    let exponent = z[0].max(z[1]).max(z[2]).to_bits() as i32 & 0x7f80_0000;
+    f32::from_bits((exponent - (23 << 23)).max(0) as u32)
+}
+
 /// The z offset of a polygon: units + factor * the greatest slope (3.5.5).
 pub fn polygon_offset(state: &RasterState, p: [[f32; 3]; 3]) -> f32 {
     let d01 = [0, 1, 2].map(|k| p[0][k] - p[1][k]);
@@ -278,7 +284,11 @@ pub fn polygon_offset(state: &RasterState, p: [[f32; 3]; 3]) -> f32 {
     let dzdx = ((d01[2] * d20[1] - d20[2] * d01[1]) * ooa).abs();
     let dzdy = ((d20[2] * d01[0] - d01[2] * d20[0]) * ooa).abs();
     let slope = if dzdx > dzdy { dzdx } else { dzdy };
-    let offset = state.offset_units + slope * state.offset_factor;
+    let mut units = state.offset_units;
+    if state.flags & raster_flags::FLOAT_DEPTH != 0 {
+        units *= float_step(p.map(|p| p[2]));
+    }
+    let offset = units + slope * state.offset_factor;
     if offset.is_finite() { offset } else { 0.0 }
 }
 

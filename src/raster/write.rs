@@ -33,7 +33,7 @@ pub fn write<S: Simd>(
         mask = S::and(mask, keep);
     }
     if !plan.early && plan.tests {
-        mask = depth_stencil::test::<S>(plan.state, front, z, mask, row8(bin.depth_stencil, pixel));
+        mask = depth_stencil::test::<S>(plan, front, z, mask, row8(bin.depth_stencil, pixel));
     }
     if S::signs(mask) != 0 && plan.write_mask != 0 {
         write_color::<S>(plan, format, bin, pixel, mask, &color);

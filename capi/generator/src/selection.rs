@@ -16,6 +16,7 @@ pub const FEATURES: &[&str] = &[
 /// few that legacy programs ask for by name.
 pub const EXTENSIONS: &[&str] = &[
     "GL_ARB_color_buffer_float",
+    "GL_ARB_depth_buffer_float",
     "GL_ARB_depth_clamp",
     "GL_ARB_depth_texture",
     "GL_ARB_draw_buffers",

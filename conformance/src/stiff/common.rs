@@ -52,6 +52,15 @@ pub fn compare_color(frame: &Frame, pixel: usize, right: &[f64], error: &mut Val
     }
 }
 
+/// A depth that was read and the right one in units in the last place of the buffer; of floating point, in that of the right one.
+fn in_units(found: u32, right: f64, depth_bits: u32) -> [f64; 2] {
+    if depth_bits == 32 {
+        let unit = 2f64.powi(right.max(f32::MIN_POSITIVE.into()).log2().floor() as i32 - 23);
+        return [f64::from(f32::from_bits(found)) / unit, right / unit];
+    }
+    [found.into(), right * f64::from((1u32 << depth_bits) - 1)]
+}
+
 /// Judges a triangle list with smooth colours, drawn with the depth function ALWAYS while samples count their hits. Values are compared
 /// in triangles that are `healthy`.
 pub fn judge_triangles(
@@ -65,14 +74,14 @@ pub fn judge_triangles(
     let mut score = Score { counts: coverage.judge(&frame.stencil), ..Score::default() };
     let triangles: Vec<Triangle> =
         vertices.chunks_exact(3).map(|t| Triangle::new(view, [t[0].position, t[1].position, t[2].position])).collect();
-    let units = f64::from((1u32 << depth_bits) - 1);
     for (pixel, owner) in coverage.owned() {
         if frame.stencil[pixel] != 1 || !healthy(owner) {
             continue;
         }
         let weights = triangles[owner as usize].at([(pixel % frame.width) as f64 + 0.5, (pixel / frame.width) as f64 + 0.5]);
         let corners = &vertices[owner as usize * 3..][..3];
-        score.depth.add(f64::from(frame.depth[pixel]), weights.depth.clamp(0.0, 1.0) * units);
+        let [found, right] = in_units(frame.depth[pixel], weights.depth.clamp(0.0, 1.0), depth_bits);
+        score.depth.add(found, right);
         compare_color(frame, pixel, &weights.mix([corners[0].color, corners[1].color, corners[2].color])[..3], &mut score.color);
     }
     score
@@ -164,5 +173,22 @@ impl Cells {
         score.counts.wrong = expected.iter().zip(&frame.stencil).filter(|(e, s)| e != s).count() as u64;
         score.counts.beyond = score.counts.wrong;
         score
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_of_floating_point_are_those_of_the_right_depth() {
+        let error = |found: f32, right: f64| {
+            let [found, right] = in_units(found.to_bits(), right, 32);
+            found - right
+        };
+        assert_eq!(error(0.5, 0.5), 0.0);
+        assert_eq!(error(f32::from_bits(0.75f32.to_bits() + 3), 0.75), 3.0);
+        assert_eq!(error(f32::from_bits(1e-3f32.to_bits() - 2), 1e-3f32.into()), -2.0);
+        assert_eq!(in_units(0xff_ffff, 0.5, 24), [16777215.0, 8388607.5]);
     }
 }

@@ -27,12 +27,20 @@ pub fn families() -> Vec<Family> {
             make: |severity, seed| vec![range(severity, seed, 16)],
         },
         Family {
+            name: "depth_range_32f",
+            about: "The same with 32 bits of floating-point depth, in a framebuffer object; coverage is the window's. Units are the last place of the exact depth, so that small depths, near the eye, count most.",
+            knob: "far : near",
+            severities: &[1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
+            inside: |_| true,
+            make: |severity, seed| vec![range(severity, seed, 32)],
+        },
+        Family {
             name: "coplanar_same",
             about: "Twelve layers of the same four triangles, depth function LEQUAL: the last layer is seen everywhere, however steep the plane.",
             knob: "slope, depth units a pixel",
             severities: &[0.0, 1.0, 256.0, 16384.0, 60000.0],
             inside: |_| true,
-            make: |severity, seed| vec![layers(severity, seed, false)],
+            make: |severity, seed| vec![layers(severity, seed, 24, false)],
         },
         Family {
             name: "coplanar_offset",
@@ -40,7 +48,15 @@ pub fn families() -> Vec<Family> {
             knob: "slope, depth units a pixel",
             severities: &[0.0, 1.0, 256.0, 4096.0],
             inside: |_| true,
-            make: |severity, seed| vec![layers(severity, seed, true)],
+            make: |severity, seed| vec![layers(severity, seed, 24, true)],
+        },
+        Family {
+            name: "coplanar_offset_32f",
+            about: "The same with 32 bits of floating-point depth, where a unit of glPolygonOffset is the last place of the polygon's greatest depth: 2^-24 here, or half of that.",
+            knob: "slope, 2^-24 a pixel",
+            severities: &[0.0, 1.0, 256.0, 4096.0],
+            inside: |_| true,
+            make: |severity, seed| vec![layers(severity, seed, 32, true)],
         },
     ]
 }
@@ -62,13 +78,13 @@ fn range(severity: f64, seed: u64, depth_bits: u32) -> Case {
 
 const LAYERS: usize = 12;
 
-fn layers(slope: f64, seed: u64, offset: bool) -> Case {
+fn layers(slope: f64, seed: u64, depth_bits: u32, offset: bool) -> Case {
     let mut random = Random::new("coplanar", slope, seed);
     let view = View::pixels(SIDE, SIDE);
     // Object z for a depth in units of 2^-24: the view maps -1..1 to 1..0. The plane runs along x; offsets move it towards the eye.
     let angle: f64 = random.uniform(0.0, 1.57);
     let z = |x: f64, y: f64| (1.0 - 2.0 * (0.5 + slope * ((x - 128.0) * angle.cos() + (y - 128.0) * angle.sin()) / 16777216.0)) as f32;
-    let mut recording = Recording::new(SIDE, SIDE, 24);
+    let mut recording = Recording::new(SIDE, SIDE, depth_bits);
     recording.view(&view).count_hits().enable(gl::DEPTH_TEST);
     recording.call("depth_func", &[if offset { gl::LESS } else { gl::LEQUAL }.into()], &[]);
     if offset {

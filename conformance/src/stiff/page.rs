@@ -160,6 +160,7 @@ fn page(options: &Options, about: &[(&str, String)], results: &[FamilyResult]) -
                     "Colour errors are in 1/255 against f64 (a correctly rounded value is off by up to 0.5), depth errors in units in the last place of the depth buffer. "
                     "Values are compared where just one primitive must cover a sample and no other may. Times are sums over the images of a severity, the fastest frame of each. "
                     "Outside: corners beyond the guard band, or the eye inside the geometry. "
+                    "With floating-point depth, coverage is that of the same calls in the window, depth and colour are those of a framebuffer object. "
                     "Everything is drawn with one sample a pixel; what more samples buy is told by the report on error against run time."
                 }
                 @if options.has_reference() {

@@ -133,8 +133,8 @@ fn clear_params(clear: &Clear, mut params: Params, format: SurfaceFormat) -> Opt
         formats::mask(format.color, mask_bits(clear.color_mask), &mut params.clear_mask[..words]);
     }
     if let (Some(depth), true) = (clear.depth, format.depth != DepthFormat::None) {
-        params.clear_depth |= (depth.clamp(0.0, 1.0) * ((1u32 << format.depth.bits()) - 1) as f64) as u32;
-        params.clear_depth_mask |= 0xff_ffff;
+        params.clear_depth |= format.depth.word(depth);
+        params.clear_depth_mask |= format.depth.mask();
     }
     if let (Some((stencil, writes)), true) = (clear.stencil, format.stencil) {
         params.clear_depth |= ((stencil & writes) as u32) << 24;
@@ -145,7 +145,7 @@ fn clear_params(clear: &Clear, mut params: Params, format: SurfaceFormat) -> Opt
 
 /// Tells the first segment behind clears of the whole surface what they left.
 fn mark_fresh(actions: &mut [(Place, Action)], format: SurfaceFormat) {
-    let wanted = if format.stencil { u32::MAX } else { 0xff_ffff };
+    let wanted = format.depth.mask() | if format.stencil { u32::MAX } else { 0 };
     let mut known = Params::default();
     for (_, action) in actions {
         match action {

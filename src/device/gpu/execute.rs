@@ -663,7 +663,7 @@ fn clear_by_copy(
 ) -> bool {
     let words = format.color.words();
     let pixels_of = p.size[0] as usize * p.size[1] as usize * format.samples as usize;
-    let used = if format.stencil { !0 } else { 0xff_ffff };
+    let used = if format.stencil { !0 } else { format.depth.mask() };
     let (color, depth) = (p.clear_mask != [0; 4], p.clear_depth_mask != 0);
     let whole = p.clear_min == [0; 2] && p.clear_max == p.size.map(|s| s as i32);
     if !whole || color && p.clear_mask[..words] != [!0; 4][..words] || depth && p.clear_depth_mask & used != used {

@@ -7,7 +7,7 @@ use super::glue::{Planes, glue};
 use super::source::{Options, expand, files};
 use super::stage::shape_flags;
 use super::texture::{self, TextureClass};
-use crate::device::{ColorFormat, samples};
+use crate::device::{ColorFormat, DepthFormat, samples};
 use crate::program::Program;
 use crate::raster::layout::blend_factor::{self, ONE_MINUS_SRC_ALPHA, SRC_ALPHA};
 use crate::raster::layout::compare;
@@ -70,7 +70,7 @@ pub struct FineKey {
     pub blend: BlendKey,
     /// Depth function, where all draws that test have the same.
     pub depth_func: Option<u32>,
-    /// Bits of depth.
+    /// Bits of depth; 32: floating point.
     pub depth_bits: u32,
     /// What each texture slot needs.
     pub textures: Vec<TextureClass>,
@@ -171,7 +171,10 @@ impl FineKey {
         let rejects = self.samples >= 16 && nearer_wins && on(feature::DEPTH_TEST) && !writes_depth && !on(feature::STENCIL_TEST);
         options.flag("REJECTS", rejects);
         let mut extra = String::new();
-        let _ = writeln!(extra, "const TP_DEPTH_SCALE = {}.0;", (1u64 << self.depth_bits) - 1);
+        let float_depth = self.depth_bits == DepthFormat::F32.bits();
+        options.flag("FLOAT_DEPTH", float_depth);
+        let (scale, mask) = if float_depth { (1, !0) } else { ((1u64 << self.depth_bits) - 1, 0xff_ffffu32) };
+        let _ = writeln!(extra, "const TP_DEPTH_SCALE = {scale}.0;\nconst TP_DEPTH_MASK = {mask}u;");
         if let Some(func) = self.depth_func {
             options.flag("DEPTH_FUNC_FIXED", true);
             let _ = writeln!(extra, "const TP_DEPTH_FUNC = {func}u;");

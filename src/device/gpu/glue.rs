@@ -96,7 +96,8 @@ let pg{g}_high = bitcast<f32>(u32(pg{g} >> 32u));",
             );
         }
         for w in &words {
-            let _ = writeln!(glue.planes, "let p{w} = subgroupBroadcast(pg{}_{}, {}u);", w / 16, ["low", "high"][*w as usize % 2], w % 16 / 2);
+            let _ =
+                writeln!(glue.planes, "let p{w} = subgroupBroadcast(pg{}_{}, {}u);", w / 16, ["low", "high"][*w as usize % 2], w % 16 / 2);
         }
     } else if shape.vectors() {
         let mut vectors: Vec<u32> = words.iter().map(|w| w / 4).collect();

@@ -186,7 +186,9 @@ fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)
             }
             Some("//#include") if open.iter().all(|&o| o) => {
                 let name = words.next().unwrap_or_default();
-                let file = [files::ENTRY, files::FRAGMENT, files::SAMPLES, files::STATE].into_iter().find(|f| f.name.strip_suffix(".wgsl") == Some(name));
+                let file = [files::ENTRY, files::FRAGMENT, files::SAMPLES, files::STATE]
+                    .into_iter()
+                    .find(|f| f.name.strip_suffix(".wgsl") == Some(name));
                 expand_with(&file.expect("//#include names a file").read(), options, loads, out);
             }
             Some("//#insert") if open.iter().all(|&o| o) => {
@@ -294,6 +296,7 @@ pub fn record_constants() -> String {
         ("TP_LINE_SMOOTH", raster_flags::LINE_SMOOTH),
         ("TP_WINDOW_SPACE", raster_flags::WINDOW_SPACE),
         ("TP_NO_Z_CLIP", raster_flags::NO_Z_CLIP),
+        ("TP_FLOAT_DEPTH", raster_flags::FLOAT_DEPTH),
         ("TP_CLIP_RIGHT", clip_code::RIGHT),
         ("TP_CLIP_LEFT", clip_code::LEFT),
         ("TP_CLIP_TOP", clip_code::TOP),

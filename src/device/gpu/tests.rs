@@ -224,6 +224,10 @@ fn compare_with(gpu: &GpuDevice, batch: &Batch, size: [u32; 2], format: SurfaceF
     let b = run(gpu, batch, size, format);
     for (k, (x, y)) in a.depth_stencil.iter().zip(&b.depth_stencil).enumerate() {
         let at = [k as u32 % size[0], k as u32 / size[0]];
+        if format.depth.is_float() {
+            assert_eq!(x, y, "depth at {at:?}");
+            continue;
+        }
         assert_eq!(x >> 24, y >> 24, "stencil at {at:?}");
         assert!((x & 0xff_ffff).abs_diff(y & 0xff_ffff) <= 1, "depth at {at:?}: {x:#x} on the CPU, {y:#x} on the GPU");
     }
@@ -467,6 +471,42 @@ fn every_wrap_mode_and_filter_samples_the_same_texels() {
         builder.batch.textures.push(TextureBinding { image, sampler });
         builder.draw(topology::TRIANGLES, &soup(&mut random, 6, 1.5, case % 2 == 0), 0, fragment_state());
         compare_executors(&builder.batch, size, FORMAT);
+    }
+}
+
+#[test]
+fn floating_point_depths_have_the_same_bits_on_both_executors() {
+    let size = [150, 110];
+    let mut random = Random(29);
+    let tested = fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE;
+    for (name, gpu) in all_ways() {
+        let Ok(gpu) = gpu else { continue };
+        let all: &[u32] = if name == "lists" { &[1, 4, 16] } else { &[1] };
+        for &samples in all {
+            let mut builder = Builder::new(size[0], size[1]);
+            let single = builder.batch.raster_states[0];
+            let flags = single.flags | raster_flags::FLOAT_DEPTH | raster_flags::OFFSET_FILL | raster_flags::MULTISAMPLE;
+            // A range in which neither end is a short number.
+            let [scale, translate] = [0.37, 0.41].map(|z| [single.viewport_scale[0], single.viewport_scale[1], z]);
+            let [width, height, _] = [single.viewport_translate[0], single.viewport_translate[1], 0.0];
+            let offset = RasterState { flags, offset_units: -3.0, offset_factor: 0.25, ..single };
+            let range = RasterState {
+                viewport_scale: scale,
+                viewport_translate: [width, height, translate[2]],
+                depth_range: [0.04, 0.78],
+                ..single
+            };
+            builder.batch.raster_states.extend([offset, range]);
+            for k in 0..6 {
+                let flags = tested | if k == 3 { fragment_flags::BLEND } else { 0 };
+                let state = FragmentState { flags, depth_func: [compare::LESS, compare::GEQUAL][(k == 4) as usize], ..fragment_state() };
+                let vertices = if k % 2 == 0 { soup(&mut random, 60, 1.0, true) } else { soup(&mut random, 600, 0.1, false) };
+                builder.draw(topology::TRIANGLES, &vertices, k % 3, state);
+            }
+            println!("{name}, {samples} samples");
+            let format = SurfaceFormat { depth: DepthFormat::F32, stencil: false, samples, ..FORMAT };
+            compare_with(&gpu, &builder.batch, size, format);
+        }
     }
 }
 

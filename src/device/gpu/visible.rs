@@ -31,6 +31,8 @@ pub fn serves(key: &FineKey, program: &Program) -> bool {
     key.features & wanted == wanted
         && key.features & !allowed == 0
         && matches!(key.depth_func, Some(compare::LESS | compare::LEQUAL))
+        // A key has room for 24 bits of depth.
+        && key.depth_bits <= 24
         && !program.discards
         && !program.writes_depth
 }

@@ -26,7 +26,7 @@ const fn depth_stencil(base: GLenum, depth: DepthFormat, depth_bits: u8, stencil
 }
 
 impl ImageFormat {
-    /// Of a renderbuffer; `None` for what cannot be rendered to. All depths have 16 or 24 bits, all stencils 8.
+    /// Of a renderbuffer; `None` for what cannot be rendered to. All depths have 16 or 24 bits, or 32 in floating point, all stencils 8.
     pub fn of_renderbuffer(internal_format: GLenum) -> Option<ImageFormat> {
         Some(match internal_format {
             GL_STENCIL_INDEX | GL_STENCIL_INDEX1 | GL_STENCIL_INDEX4 | GL_STENCIL_INDEX8 | GL_STENCIL_INDEX16 => {
@@ -41,8 +41,7 @@ impl ImageFormat {
     /// Of a level of a texture. Luminance and intensity are no bits of a framebuffer.
     pub fn of_texture(format: InternalFormat) -> ImageFormat {
         if format.is_depth() {
-            let depth = if format.bits[0] == 16 { DepthFormat::D16 } else { DepthFormat::D24 };
-            return depth_stencil(format.base, depth, format.bits[0], format.base == GL_DEPTH_STENCIL);
+            return depth_stencil(format.base, format.depth(), format.bits[0], format.base == GL_DEPTH_STENCIL);
         }
         let size = |component| format.size_of(component) as u8;
         let color = if format.bits.iter().any(|&b| b > 8) { ColorFormat::Rgba16 } else { ColorFormat::Rgba8 };
@@ -70,6 +69,10 @@ impl ImageFormat {
 
     pub fn has_depth(self) -> bool {
         matches!(self.base, GL_DEPTH_COMPONENT | GL_DEPTH_STENCIL)
+    }
+
+    pub fn has_float_depth(self) -> bool {
+        matches!(self.plane, PlaneFormat::DepthStencil { depth: DepthFormat::F32, .. })
     }
 
     pub fn has_stencil(self) -> bool {

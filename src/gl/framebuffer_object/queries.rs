@@ -74,6 +74,7 @@ impl Context {
             (GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, _) => match point {
                 AttachmentPoint::DepthStencil => return Err(GL_INVALID_OPERATION),
                 AttachmentPoint::Stencil => GL_INDEX,
+                _ if self.attached_image(attached).is_some_and(|image| image.format.has_float_depth()) => GL_FLOAT,
                 _ => GL_UNSIGNED_NORMALIZED,
             },
             (GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING, _) => GL_LINEAR,

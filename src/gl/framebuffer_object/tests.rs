@@ -5,6 +5,7 @@ mod blits;
 mod completeness;
 mod drawing;
 mod errors;
+mod float_depth;
 mod queries;
 
 use crate::gl::enums::*;
