@@ -16,28 +16,6 @@ var<private> tp_furthest: array<u32, TP_ROWS>;
 var<private> tp_depths: array<u32, TP_ROWS * i32(TP_SAMPLES)>;
 //#endif
 
-fn tp_pixel_at(r: i32) -> TpPixel {
-    return tp_pixels[r];
-}
-
-//#if DEPTH_BUFFER
-fn tp_depth_at(r: i32) -> u32 {
-    return tp_depths[r];
-}
-//#endif
-
-// What a fragment leaves in row r.
-fn tp_keep(r: i32, covered: bool, depth_word: u32, colored: bool, pixel: TpPixel) {
-//#if DEPTH_BUFFER
-    if (covered) {
-        tp_depths[r] = depth_word;
-    }
-//#endif
-    if (colored) {
-        tp_pixels[r] = pixel;
-    }
-}
-
 // A word of the lists.
 fn tp_list(at: u32) -> u32 {
     return tp_lists[at >> 2u][at & 3u];
@@ -77,18 +55,14 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     let local_top = i32((tile >> 3u) * 8u);
     // From a sample to the next one of the same pixel.
     let plane = tp.size.x * tp.size.y;
-    // Rows whose depth or stencil, and rows whose colour has changed.
     var dirty = 0u;
-    var colored_rows = 0u;
     {
         var r = 0;
         loop {
             let py = min(origin.y + u32(first_row + r * TP_ROW_STEP), tp.size.y - 1u);
             let at = py * tp.size.x + min(px, tp.size.x - 1u);
 //#each $
-//#if READS_COLOR
             tp_pixels[r * i32(TP_SAMPLES) + $] = tp_first_pixel(at + $u * plane, tp.fresh);
-//#endif
 //#if DEPTH_BUFFER
             tp_depths[r * i32(TP_SAMPLES) + $] = tp_first_depth(at + $u * plane, tp.fresh);
 //#endif
@@ -173,22 +147,15 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         var r = 0;
         loop {
             let py = origin.y + u32(first_row + r * TP_ROW_STEP);
-            let at = py * tp.size.x + px;
-//#if SAMPLES
-            colored_rows = dirty;
-//#endif
-            if ((colored_rows & (1u << u32(r))) != 0u) {
+            if ((dirty & (1u << u32(r))) != 0u) {
+                let at = py * tp.size.x + px;
 //#each $
                 tp_store_pixel(at + $u * plane, tp_pixels[r * i32(TP_SAMPLES) + $]);
-//#end
-            }
 //#if DEPTH_CHANGES
-            if ((dirty & (1u << u32(r))) != 0u) {
-//#each $
                 tp_depth[at + $u * plane] = tp_depths[r * i32(TP_SAMPLES) + $];
+//#endif
 //#end
             }
-//#endif
             continuing {
                 r++;
                 break if r >= TP_ROWS;

@@ -1,13 +1,19 @@
-// One pixel of one sample, if the triangle covers it (`inside`): the per-fragment operations (src/raster/fine.rs) around the program. Row `r` of the tile is
-// read and written through functions of the kernel, because each keeps its pixels where its lanes reach them best.
+// One pixel of one sample, if the triangle covers it (`inside`): the per-fragment operations (src/raster/fine.rs) around the program. A column
+// kernel reads and keeps row `r` through functions of its own, outside of the `if`.
+//#if COLUMN
 var covered = false;
 var colored = false;
 var pixel: TpPixel;
 var depth_word = 0u;
+//#endif
 if (inside) {
     let y = f32(py);
 //#if DEPTH_BUFFER
+//#if COLUMN
     let old_depth = tp_depth_at(r);
+//#else
+    let old_depth = tp_depths[r];
+//#endif
 //#endif
     //#insert DEPTH
     // Tests that read nothing of the program come before it; nothing is written yet.
@@ -81,6 +87,7 @@ if (inside) {
         new_depth = (new_depth & ~TP_DEPTH_MASK) | depth;
     }
 //#endif
+//#if COLUMN
 //#if DEPTH_BUFFER
     depth_word = new_depth;
 //#endif
@@ -95,3 +102,15 @@ if (inside) {
 tp_keep(r, covered, depth_word, colored, pixel);
 dirty |= select(0u, 1u << u32(r), covered);
 colored_rows |= select(0u, 1u << u32(r), colored);
+//#else
+//#if DEPTH_CHANGES
+    tp_depths[r] = new_depth;
+//#endif
+//#if COLOR_WRITE
+    if (passes) {
+        tp_pixels[r] = tp_merge(state, tp_pixels[r], color);
+    }
+//#endif
+    dirty |= 1u << u32(r);
+}
+//#endif

@@ -180,6 +180,7 @@ impl FineKey {
             let _ = writeln!(extra, "const TP_DEPTH_FUNC = {func}u;");
         }
         options.flag("DEPTH_CHANGES", on(feature::DEPTH_BUFFER) && (on(feature::DEPTH_WRITE) || on(feature::STENCIL_TEST)));
+        options.flag("COLUMN", !shape.vectors());
         options.flag("PAIRS", shape.subgroup8);
         options.flag("VECTORS", planes == Planes::Loaded && shape.vectors());
         shape_flags(&mut options, shape);
