@@ -157,9 +157,9 @@ impl FineKey {
         ] {
             options.flag(name, on(bit));
         }
-        // What is only written need not be read before.
+        // Of one sample: what is only written need not be read before.
         let reads = feature::BLEND | feature::LOGIC_OP | feature::COLOR_MASK;
-        options.flag("READS_COLOR", self.samples > 1 || self.features & reads != 0);
+        options.flag("READS_COLOR", self.features & reads != 0);
         let writes_depth = program.writes_depth && on(feature::SHADES) && on(feature::DEPTH_TEST);
         options.flag("WRITES_DEPTH", writes_depth);
         options.flag("SAMPLE_DEPTH", on(feature::DEPTH_TEST) && !writes_depth);

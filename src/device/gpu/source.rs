@@ -104,8 +104,8 @@ pub fn expand(file: File, options: &Options, out: &mut String) {
 }
 
 /// Replaces `WORD(load, k)`: word `k` of what `//#load` loaded (8 words, or the 12 of a list's entry), the same for all lanes of a
-/// workgroup. Where a workgroup is one subgroup of eight lanes, each lane loaded one or two words, which are broadcast; where loads are vectors, it is a component of one;
-/// elsewhere it is read where it is wanted.
+/// workgroup. Where a workgroup is one subgroup of eight lanes, each lane loaded one or two words, which are broadcast; where loads are
+/// vectors, it is a component of one; elsewhere it is read where it is wanted.
 fn words_of_loads(line: &str, options: &Options, loads: &[(String, String)], out: &mut String) {
     let mut rest = line;
     while let Some(at) = rest.find("WORD(") {
