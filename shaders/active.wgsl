@@ -11,7 +11,11 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     }
     let bin = atomicLoad(&tp_lists[tp.active_base + slot]);
     let first = atomicLoad(&tp_lists[tp.bin_base + bin * 2u]);
-    let blocks = (atomicLoad(&tp_lists[tp.bin_base + bin * 2u + 1u]) + 31u) / 32u;
+    var blocks = (atomicLoad(&tp_lists[tp.bin_base + bin * 2u + 1u]) + 31u) / 32u;
+//#if ROUNDS
+    // Of the first round.
+    blocks = min(blocks, TP_ROUND_BLOCKS);
+//#endif
     var tile = lane;
     loop {
         var any_triangle = 0u;
@@ -26,8 +30,8 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         if (any_triangle != 0u) {
             let at = atomicAdd(&tp_lists[2], 1u);
             atomicStore(&tp_lists[tp.work_base + at], bin * 64u + tile);
-            atomicMax(&tp_indirect[9], min(at + 1u, 32768u));
-            atomicMax(&tp_indirect[10], at / 32768u + 1u);
+            atomicMax(&tp_indirect[TP_FINE_DISPATCH], min(at + 1u, 32768u));
+            atomicMax(&tp_indirect[TP_FINE_DISPATCH + 1u], at / 32768u + 1u);
         }
         continuing {
             tile += TP_LANES;

@@ -80,16 +80,23 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     let bins_x = tp.bins.x;
     let entry_base = tp.entry_base;
     let draws = tp.draws;
-    let fresh = tp.fresh;
+    var fresh = tp.fresh;
     let work = tp_list(tp.work_base + slot, lane);
     let bin = work >> 6u;
     let tile = work & 63u;
     let origin = vec2<u32>((bin % bins_x) * 64u + (tile & 7u) * 8u, (bin / bins_x) * 64u + (tile >> 3u) * 8u);
     let first_block = tp_list(tp.bin_base + bin * 2u, lane);
-    let blocks = (tp_list(tp.bin_base + bin * 2u + 1u, lane) + 31u) / 32u;
+    var blocks = (tp_list(tp.bin_base + bin * 2u + 1u, lane) + 31u) / 32u;
+    var start = 0u;
+//#if ROUNDS
+    // A part of the list: the driver ends a workgroup's loops, all together, after some ten thousand iterations.
+    start = tp_list(3u, lane);
+    blocks = min(blocks, start + TP_ROUND_BLOCKS);
+    fresh = select(0u, fresh, start == 0u);
+//#endif
     let masks = tp.tile_base + first_block * 64u + tile;
     // The first triangle.
-    var block = 0u;
+    var block = start;
     var bits = 0u;
     loop {
         bits = tp_list(masks + block * 64u, lane);

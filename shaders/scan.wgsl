@@ -4,6 +4,9 @@
 @group(1) @binding(0) var<storage, read_write> tp_indirect: array<u32>;
 
 var<workgroup> tp_sums: array<vec2<u32>, TP_LANES>;
+//#if ROUNDS
+var<workgroup> tp_longest: array<u32, TP_LANES>;
+//#endif
 
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(local_invocation_index) lane: u32) {
@@ -33,12 +36,18 @@ fn tp_main(@builtin(local_invocation_index) lane: u32) {
     let end = min(first + share, bins);
     // This lane's bins: list blocks and bins that are not empty.
     var sum = vec2<u32>(0u);
+    var longest = 0u;
     for (var bin = first; bin < end; bin++) {
         let total = tp_lists[tp.bin_base + bin * 2u + 1u];
+        let blocks = (total + 31u) / 32u;
         tp_lists[tp.bin_base + bin * 2u] = sum.x;
-        sum += vec2<u32>((total + 31u) / 32u, select(0u, 1u, total > 0u));
+        sum += vec2<u32>(blocks, select(0u, 1u, total > 0u));
+        longest = max(longest, blocks);
     }
     tp_sums[lane] = sum;
+//#if ROUNDS
+    tp_longest[lane] = longest;
+//#endif
     workgroupBarrier();
     var before = vec2<u32>(0u);
     for (var l = 0u; l < lane; l++) {
@@ -66,15 +75,21 @@ fn tp_main(@builtin(local_invocation_index) lane: u32) {
         tp_indirect[0] = min(blocks, 32768u);
         tp_indirect[1] = (blocks + 32767u) / 32768u;
         tp_indirect[2] = 1u;
-        tp_indirect[4] = min(drawn, 32768u);
-        tp_indirect[5] = (drawn + 32767u) / 32768u;
-        tp_indirect[6] = 1u;
         // The active stage counts the fine stage's workgroups: here, and in the third word of the lists.
-        tp_indirect[9] = 0u;
-        tp_indirect[10] = 1u;
-        tp_indirect[11] = 1u;
+        tp_indirect[TP_FINE_DISPATCH] = 0u;
+        tp_indirect[TP_FINE_DISPATCH + 1u] = 1u;
+        tp_indirect[TP_FINE_DISPATCH + 2u] = 1u;
         tp_lists[0] = total.x;
         tp_lists[1] = drawn;
         tp_lists[2] = 0u;
+//#if ROUNDS
+        // The first block of the round, and the blocks of the longest list.
+        tp_lists[3] = 0u;
+        longest = 0u;
+        for (var l = 0u; l < TP_LANES; l++) {
+            longest = max(longest, tp_longest[l]);
+        }
+        tp_lists[4] = longest;
+//#endif
     }
 }

@@ -20,6 +20,8 @@ pub struct Shape {
     pub fuses: bool,
     /// There are integers and atomic minima of 64 bits, and storage buffers enough for the visible path.
     pub keys64: bool,
+    /// Blocks of 32 triangles of a bin's list that a dispatch of the fine stage of 8 lanes goes through: see [`ROUND_BLOCKS`].
+    pub round_blocks: u32,
     /// Vertices, clipping and set-up are done by the Rust twins on the host: where the "GPU" is the same processor, they are faster.
     pub host_front: bool,
 }
@@ -29,7 +31,15 @@ impl Shape {
     pub fn vectors(self) -> bool {
         self.fine_lanes >= 32
     }
+
+    /// The fine stage goes through a list in several dispatches.
+    pub fn rounds(self) -> bool {
+        !self.vectors()
+    }
 }
+
+/// Mesa's software driver ends all loops of an invocation, together, after 65,535 iterations; a triangle takes up to ten.
+const ROUND_BLOCKS: u32 = 128;
 
 /// How an executor uses a device.
 #[derive(Clone, Copy, Debug)]
@@ -122,15 +132,29 @@ fn open() -> Result<Gpu, String> {
     let mut shape = if cpu {
         let wanted = wgpu::Features::SUBGROUP | wgpu::Features::SHADER_INT64;
         let subgroup8 = features.contains(wanted) && info.subgroup_min_size == 8 && info.subgroup_max_size == 8;
-        Shape { fine_lanes: 8, list_lanes: 8, subgroup8, fma64, fuses, keys64, host_front: cpu }
+        Shape { fine_lanes: 8, list_lanes: 8, subgroup8, fma64, fuses, keys64, round_blocks: ROUND_BLOCKS, host_front: cpu }
     } else {
-        Shape { fine_lanes: 32, list_lanes: 64, subgroup8: false, fma64, fuses, keys64, host_front: cpu }
+        Shape { fine_lanes: 32, list_lanes: 64, subgroup8: false, fma64, fuses, keys64, round_blocks: ROUND_BLOCKS, host_front: cpu }
     };
     // For tests of the other shapes on one machine.
     match std::env::var("TEPUI_GPU_SHAPE").as_deref() {
         Ok("32") => shape = Shape { fine_lanes: 32, list_lanes: 64, subgroup8: false, ..shape },
-        Ok("64") => shape = Shape { fine_lanes: 64, list_lanes: 64, subgroup8: false, fma64, fuses, keys64, host_front: cpu },
-        Ok("8") => shape = Shape { fine_lanes: 8, list_lanes: 8, subgroup8: false, fma64, fuses, keys64, host_front: cpu },
+        Ok("64") => {
+            shape = Shape {
+                fine_lanes: 64,
+                list_lanes: 64,
+                subgroup8: false,
+                fma64,
+                fuses,
+                keys64,
+                round_blocks: ROUND_BLOCKS,
+                host_front: cpu,
+            }
+        }
+        Ok("8") => {
+            shape =
+                Shape { fine_lanes: 8, list_lanes: 8, subgroup8: false, fma64, fuses, keys64, round_blocks: ROUND_BLOCKS, host_front: cpu }
+        }
         _ => {}
     }
     match std::env::var("TEPUI_GPU_FRONT").as_deref() {

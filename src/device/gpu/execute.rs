@@ -647,8 +647,17 @@ impl Dispatcher<'_> {
         self.indirect(indirect::TILE, "tile");
         self.stage(Stage::Active);
         self.direct(bins, "active");
-        self.pass.set_pipeline(&self.kernels.fine(self.gpu, &action.key, &batch.draws[action.draw as usize].fragment_program));
+        let fine = self.kernels.fine(self.gpu, &action.key, &batch.draws[action.draw as usize].fragment_program);
+        self.pass.set_pipeline(&fine);
         self.indirect(indirect::FINE, "fine");
+        let shape = self.kernels.config.shape;
+        let rounds = if shape.rounds() { action.blocks.div_ceil(shape.round_blocks) } else { 1 };
+        for _ in 1..rounds {
+            self.stage(Stage::Round);
+            self.direct(1, "round");
+            self.pass.set_pipeline(&fine);
+            self.indirect(indirect::FINE, "fine");
+        }
     }
 }
 

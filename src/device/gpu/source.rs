@@ -84,6 +84,7 @@ pub mod files {
     pub const EMIT: File = File { name: "emit.wgsl", text: include_str!("../../../shaders/emit.wgsl") };
     pub const TILE: File = File { name: "tile.wgsl", text: include_str!("../../../shaders/tile.wgsl") };
     pub const ACTIVE: File = File { name: "active.wgsl", text: include_str!("../../../shaders/active.wgsl") };
+    pub const ROUND: File = File { name: "round.wgsl", text: include_str!("../../../shaders/round.wgsl") };
     pub const CLEAR: File = File { name: "clear.wgsl", text: include_str!("../../../shaders/clear.wgsl") };
     pub const COLOR: File = File { name: "color.wgsl", text: include_str!("../../../shaders/color.wgsl") };
     pub const BLEND: File = File { name: "blend.wgsl", text: include_str!("../../../shaders/blend.wgsl") };
@@ -313,6 +314,7 @@ pub fn record_constants() -> String {
         ("TP_FRESH_DEPTH", fresh::DEPTH),
         ("TP_SETUP_DISPATCH", indirect::SETUP),
         ("TP_CLIP_DISPATCH", indirect::CLIP),
+        ("TP_FINE_DISPATCH", indirect::FINE),
         ("TP_FAILED", indirect::FAILED),
         ("TP_SEGMENT_DISPATCH", indirect::SEGMENTS),
         ("TP_DEPTH_TEST_ON", fragment_flags::DEPTH_TEST),

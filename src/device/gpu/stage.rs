@@ -39,6 +39,8 @@ pub enum Stage {
     /// See `Bin`.
     Tile(bool),
     Active,
+    /// To the next part of the lists.
+    Round,
     /// Words of a colour pixel.
     Clear(u32),
     /// The samples of pixels with such colours become one.
@@ -77,7 +79,7 @@ impl Stage {
 
     /// It reads or writes the words of later dispatches.
     pub fn is_indirect(self) -> bool {
-        matches!(self, Stage::Offsets | Stage::Scan | Stage::Active | Stage::Clear(_) | Stage::Visible(Visible::End, ..))
+        matches!(self, Stage::Offsets | Stage::Scan | Stage::Active | Stage::Round | Stage::Clear(_) | Stage::Visible(Visible::End, ..))
     }
 
     /// Its text.
@@ -140,6 +142,7 @@ impl Stage {
                 options.flag("ATOMIC_LISTS", true);
                 &[files::ACTIVE]
             }
+            Stage::Round => &[files::ROUND],
             Stage::Clear(words) => {
                 let _ = writeln!(extra, "const TP_COLOR_WORDS = {words}u;\nconst TP_CLEAR_ROWS = {CLEAR_ROWS};");
                 &[files::CLEAR]
@@ -152,7 +155,8 @@ impl Stage {
         options.flag("RUNS", !wide);
         let _ = writeln!(
             extra,
-            "const TP_RUN = {RUN}u;\nconst TP_SUMS = {}u;\nconst TP_EMIT_LANES = {}u;",
+            "{}const TP_RUN = {RUN}u;\nconst TP_SUMS = {}u;\nconst TP_EMIT_LANES = {}u;",
+            round_constant(shape),
             sums_of_a_group(shape),
             emit_lanes(shape)
         );
@@ -179,6 +183,12 @@ pub fn shape_flags(options: &mut Options, shape: Shape) {
     options.flag("FMA64", shape.fma64);
     options.flag("FUSES", shape.fuses);
     options.flag("SUBGROUP8", shape.subgroup8);
+    options.flag("ROUNDS", shape.rounds());
+}
+
+/// How far a round goes.
+pub fn round_constant(shape: Shape) -> String {
+    format!("const TP_ROUND_BLOCKS = {}u;\n", shape.round_blocks)
 }
 
 /// Primitives of a group: what a workgroup of cull and set-up works on.

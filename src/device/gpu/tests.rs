@@ -207,6 +207,7 @@ fn all_ways() -> Vec<(&'static str, Result<GpuDevice, String>)> {
         ("32 lanes, no subgroups", with(|c| (c.shape.fine_lanes, c.shape.list_lanes, c.shape.subgroup8) = (32, 64, false))),
         ("64 lanes, no subgroups", with(|c| (c.shape.fine_lanes, c.shape.list_lanes, c.shape.subgroup8) = (64, 64, false))),
         ("8 lanes, no subgroups", with(|c| c.shape.subgroup8 = false)),
+        ("32 triangles a round", with(|c| c.shape.round_blocks = 1)),
     ]
 }
 
