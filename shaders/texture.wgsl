@@ -3,8 +3,10 @@
 
 // A slot's binding: words of its record, the same for all pixels of a triangle.
 struct TpTexture {
-    // Where tp_records holds the levels' offsets in tp_texels; each level halves the size of the one before.
-    levels: u32,
+    // Room for the base level; each level halves the size of the one before.
+    room: u32,
+    // Halvings of the room from level to level: 1 or 2.
+    halvings: u32,
     last: u32,
     lod_range: vec2<f32>,
     lod_bias: f32,
@@ -81,8 +83,9 @@ fn tp_linear(c: f32, size: i32, wrap: u32) -> TpAxis {
     var a: TpAxis;
     a.weight = u - whole;
     if (wrap == 0u) {
-        a.low = select(min(i, size - 1), size - 1, i < 0);
-        a.high = select(max(j, 0), 0, j >= size);
+        // What is not a number is less than 0 in both.
+        a.low = select(i, size - 1, i < 0);
+        a.high = select(0, j, u32(j) < u32(size));
     } else if (wrap == 1u || wrap == 3u) {
         a.low = select(i, -1, i < 0 || i >= size);
         a.high = select(j, -1, j < 0 || j >= size);
@@ -95,7 +98,11 @@ fn tp_linear(c: f32, size: i32, wrap: u32) -> TpAxis {
 
 // A texel; components of 8 bits count from 0 to 255.
 fn tp_texel(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, x: i32, y: i32, z: i32) -> vec4<f32> {
-    let at = u32(max((z * size.y + y) * size.x + x, 0));
+    let may_leave = any(vec3<bool>(c.wrap.x == 1u || c.wrap.x == 3u, c.wrap.y == 1u || c.wrap.y == 3u, c.wrap.z == 1u || c.wrap.z == 3u));
+    var at = u32((z * size.y + y) * size.x + x);
+    if (may_leave) {
+        at = u32(max(bitcast<i32>(at), 0));
+    }
     var v: vec4<f32>;
     if (c.floats) {
         let w = offset + at * 4u;
@@ -104,7 +111,6 @@ fn tp_texel(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, x: i32, y: i
         let w = tp_texels[offset + at];
         v = vec4<f32>(vec4<i32>(i32(w & 255u), i32((w >> 8u) & 255u), i32((w >> 16u) & 255u), i32(w >> 24u)));
     }
-    let may_leave = any(vec3<bool>(c.wrap.x == 1u || c.wrap.x == 3u, c.wrap.y == 1u || c.wrap.y == 3u, c.wrap.z == 1u || c.wrap.z == 3u));
     if (may_leave) {
         v = select(v, t.border * select(255.0, 1.0, c.floats), (x | y | z) < 0);
     }
@@ -173,6 +179,31 @@ fn tp_level_size(t: TpTexture, c: TpClass, level: u32) -> vec3<i32> {
     return vec3<i32>(size.xy, select(size.z, 6, c.kind == 4u));
 }
 
+// log2, off by 2^-15 at most; of 0 and less -127 or less.
+fn tp_short_log2(x: f32) -> f32 {
+//#if FMA64
+    let bits = bitcast<i32>(x);
+    let m = bitcast<f32>((bits & 0x7fffff) | 0x3f800000) - 1.0;
+    let p = ((((0.04514766 * m - 0.19357217) * m + 0.41560295) * m - 0.70909536) * m + 1.44191692) * m;
+    return f32((bits >> 23u) - 127) + p;
+//#else
+    return select(log2(x), -1e30, x <= 0.0);
+//#endif
+}
+
+// A homogeneous coordinate as its ratios to q.
+fn tp_projected(c: vec4<f32>) -> vec4<f32> {
+    return vec4<f32>(c.xyz * (1.0 / c.w), 1.0);
+}
+
+// Where a level lies in tp_texels: what the rooms before it add up to, which is (4 room - (4 room >> 2 level)) / 3 where each is a quarter of the
+// one before. The quotient is exact, so that the product with 1/3 modulo 2^32 is it.
+fn tp_level_offset(t: TpTexture, level: u32) -> u32 {
+    let all = t.room << t.halvings;
+    let sum = all - (all >> (t.halvings * level));
+    return t.offset + select(sum, sum * 0xaaaaaaabu, t.halvings == 2u);
+}
+
 fn tp_sample(t: TpTexture, c: TpClass, coord: vec4<f32>, ddx: vec4<f32>, ddy: vec4<f32>) -> vec4<f32> {
     var p = vec4<f32>(coord.xyz, 0.0);
     if (c.kind == 4u) {
@@ -197,10 +228,10 @@ fn tp_sample(t: TpTexture, c: TpClass, coord: vec4<f32>, ddx: vec4<f32>, ddy: ve
         dy = vec3<f32>((tp_on_face(i32(p.w), coord.xyz + ddy.xyz) - p.xy) * n.xy, 0.0);
     }
     let rho2 = max(dx.x * dx.x + dx.y * dx.y + dx.z * dx.z, dy.x * dy.x + dy.y * dy.y + dy.z * dy.z);
-    // Where levels are blended, the driver's log2 is good enough.
+    // Where levels are blended, a short logarithm is good enough.
     var log2_rho2 = 0.0;
     if (c.mip == 2u && c.mag_linear == c.min_linear) {
-        log2_rho2 = select(log2(rho2), -1e30, rho2 <= 0.0);
+        log2_rho2 = tp_short_log2(rho2);
     } else {
         log2_rho2 = tp_log2(rho2);
     }
@@ -219,13 +250,13 @@ fn tp_sample(t: TpTexture, c: TpClass, coord: vec4<f32>, ddx: vec4<f32>, ddy: ve
     }
     let level = select(0u, min(u32(max(whole, 0.0)), t.last), minified);
     let size = tp_level_size(t, c, level);
-    var v = tp_level(t, c, tp_record(t.levels + level), size, c.min_linear, p);
+    var v = tp_level(t, c, tp_level_offset(t, level), size, c.min_linear, p);
     if (c.mip == 2u) {
         let next = min(level + 1u, t.last);
         let blend = select(0.0, lambda - whole, minified && level < t.last);
         // Where one level is enough the other is not looked at.
         if (blend > 0.0) {
-            v = tp_lerp(v, tp_level(t, c, tp_record(t.levels + next), tp_level_size(t, c, next), c.min_linear, p), blend);
+            v = tp_lerp(v, tp_level(t, c, tp_level_offset(t, next), tp_level_size(t, c, next), c.min_linear, p), blend);
         }
     }
     if (c.mag_linear != c.min_linear) {

@@ -61,7 +61,8 @@ pub enum Input {
     /// Varying `k` of [`Program::varyings`].
     Varying(u8),
     /// Varying `k` at a pixel of the 2 x 2 quad that the fragment belongs to: 0 its origin (even x, even y), 1 the
-    /// next in x, 2 the next in y. Differences of these are the derivatives; evaluated from the planes, without helper pixels.
+    /// next in x, 2 the next in y. Differences of these are the derivatives; evaluated from the planes, without helper pixels. The coordinates of
+    /// a texture that is not a cube map: programs look at their ratios to the fourth component only.
     Quad(u8, u8),
 }
 

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::adapter::Shape;
 use super::fine::{FineKey, feature};
 use super::texture::TextureClass;
+use crate::draw::texture::TextureKind;
 use crate::program::{Input, Program};
 use crate::raster::layout::{DEPTH_PLANE_VEC4, VARYING_PLANE_VEC4, interpolation};
 
@@ -119,6 +120,8 @@ let pg{g}_high = bitcast<f32>(u32(pg{g} >> 32u));",
     // Values are exact. Derivatives need it only where they choose between levels: a blend of levels forgives a rounding.
     let exact_quads = key.textures.iter().any(TextureClass::chooses);
     let quad_fma = if exact_quads { "tp_fma" } else { "fma" };
+    // The division by w falls out of the ratios of homogeneous coordinates, which are all that is wanted of a quad's; directions have none.
+    let ratios = !exact_quads && key.textures.iter().all(|t| t.kind != TextureKind::Cube);
     let fma4 = |quad: bool, a: &str, b: String, c: String| {
         if quad && !exact_quads { format!("fma(vec4<f32>({a}), {b}, {c})") } else { format!("tp_fma4({a}, {b}, {c})") }
     };
@@ -153,7 +156,7 @@ let pg{g}_high = bitcast<f32>(u32(pg{g} >> 32u));",
         let columns = if hoist { &mut glue.planes } else { &mut glue.shade };
         if quad {
             columns.push_str("let qx = f32(i32(px & ~1u));\nlet qx1 = qx + 1.0;\n");
-            if needs_w {
+            if needs_w && !ratios {
                 let _ = writeln!(columns, "let qwx = {quad_fma}(qx, p4, p3);\nlet qwx1 = {quad_fma}(qx1, p4, p3);");
             }
         }
@@ -179,7 +182,7 @@ let pg{g}_high = bitcast<f32>(u32(pg{g} >> 32u));",
     }
     if quad {
         shade.push_str("let qy = f32(py & ~1);\nlet qy1 = qy + 1.0;\n");
-        if needs_w {
+        if needs_w && !ratios {
             let _ = writeln!(
                 shade,
                 "let qr0 = 1.0 / {quad_fma}(qy, p5, qwx);\nlet qr1 = 1.0 / {quad_fma}(qy, p5, qwx1);\nlet qr2 = 1.0 / {quad_fma}(qy1, p5, qwx);"
@@ -195,7 +198,9 @@ let pg{g}_high = bitcast<f32>(u32(pg{g} >> 32u));",
         } else {
             fma4(column != "v", y, vec4(varying_word(k) + 8), format!("{column}{k}"))
         };
-        if perspective(k) && mixed {
+        if ratios && column != "v" {
+            format!("tp_projected({value})")
+        } else if perspective(k) && mixed {
             format!("{value} * select(1.0, {reciprocal}, (modes & {}u) != 0u)", 1 << k)
         } else if perspective(k) {
             format!("{value} * {reciprocal}")

@@ -96,7 +96,8 @@ pub fn loads(classes: &[TextureClass]) -> String {
         }
         let _ = writeln!(
             text,
-            "tp_texture{slot}.levels = WORD(tx{slot}, 0);
+            "tp_texture{slot}.room = WORD(tx{slot}, 0);
+tp_texture{slot}.halvings = WORD(tx{slot}, 1) >> 8u;
 tp_texture{slot}.last = WORD(tx{slot}, 1) & 255u;
 tp_texture{slot}.lod_range = vec2<f32>(bitcast<f32>(WORD(tx{slot}, 2)), bitcast<f32>(WORD(tx{slot}, 3)));
 tp_texture{slot}.lod_bias = bitcast<f32>(WORD(tx{slot}, 4));
@@ -115,6 +116,33 @@ tp_texture{slot}.size = vec3<i32>(i32(WORD(tx{slot}, 6) & 0xffffu), i32(WORD(tx{
 
 /// Words of a texture binding's record.
 pub const BINDING_WORDS: usize = 16;
+
+/// How an image's levels follow each other: each has half or a quarter of the room of the one before, so that a kernel need not look up where
+/// one lies.
+struct LevelRoom {
+    /// Words that the base level may take.
+    base: u32,
+    /// Halvings from level to level.
+    halvings: u32,
+}
+
+impl LevelRoom {
+    fn new(image: &TextureImage) -> LevelRoom {
+        let last = image.levels.len().saturating_sub(1) as u32;
+        let first = image.levels.first().map_or(0, |l| l.texels.len() as u32);
+        let room = |halvings: u32| LevelRoom { base: first.next_multiple_of(1 << (halvings * last)), halvings };
+        // A quarter is enough as long as both sides halve.
+        let fits = |r: &LevelRoom| image.levels.iter().zip(0..).all(|(l, k)| l.texels.len() as u32 <= r.base >> (r.halvings * k));
+        Some(room(2)).filter(fits).unwrap_or_else(|| room(1))
+    }
+
+    /// Where a level begins; the twin of `tp_level_offset`.
+    fn offset(&self, level: u32) -> u32 {
+        let all = (self.base as u64) << self.halvings;
+        let sum = all - (all >> (self.halvings * level));
+        (if self.halvings == 2 { sum / 3 } else { sum }) as u32
+    }
+}
 
 /// The texels of all images, cached by the images' ids.
 pub struct Heap {
@@ -140,7 +168,7 @@ impl Heap {
     }
 
     fn words(image: &TextureImage) -> u32 {
-        image.levels.iter().map(|l| l.texels.len() as u32).sum()
+        LevelRoom::new(image).offset(image.levels.len() as u32)
     }
 
     /// Uploads the images of these bindings that are not there yet.
@@ -170,28 +198,25 @@ impl Heap {
         }
         for image in missing {
             self.offsets.insert(image.id, self.used);
-            for level in &image.levels {
-                queue.write_buffer(self.texels.get(), self.used as u64 * 4, cast_slice(&level.texels));
-                self.used += level.texels.len() as u32;
+            let room = LevelRoom::new(image);
+            for (k, level) in image.levels.iter().enumerate() {
+                let at = self.used + room.offset(k as u32);
+                queue.write_buffer(self.texels.get(), at as u64 * 4, cast_slice(&level.texels));
             }
+            self.used += Heap::words(image);
         }
     }
 
-    /// Appends the bindings' records, all of one size, then the levels that they point to.
+    /// Appends the bindings' records.
     pub fn records(&self, bindings: &[TextureBinding], words: &mut Vec<u32>) {
         let start = words.len();
         words.resize(start + bindings.len() * BINDING_WORDS, 0);
         for (k, b) in bindings.iter().enumerate() {
-            let levels = words.len() as u32;
-            let mut offset = self.offsets.get(&b.image.id).copied().unwrap_or(0);
-            for level in &b.image.levels {
-                words.push(offset);
-                offset += level.texels.len() as u32;
-            }
+            let room = LevelRoom::new(&b.image);
             let s = &b.sampler;
             let record = &mut words[start + k * BINDING_WORDS..][..BINDING_WORDS];
-            record[0] = levels;
-            record[1] = (b.image.levels.len() as u32).saturating_sub(1);
+            record[0] = room.base;
+            record[1] = (b.image.levels.len() as u32).saturating_sub(1) | room.halvings << 8;
             if let Some(base) = b.image.levels.first() {
                 record[5] = self.offsets.get(&b.image.id).copied().unwrap_or(0);
                 record[6] = base.width | base.height << 16;
@@ -203,6 +228,47 @@ impl Heap {
             for c in 0..4 {
                 record[8 + c] = s.border[c].to_bits();
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draw::texture::TextureLevel;
+
+    /// An image whose levels have these sides, down to 1 in all of them.
+    fn image(kind: TextureKind, sides: [u32; 3], layers: u32) -> TextureImage {
+        let last = sides.iter().map(|s| s.ilog2()).max().unwrap_or(0);
+        let levels = (0..=last)
+            .map(|k| {
+                let [width, height, depth] = sides.map(|s| (s >> k).max(1));
+                TextureLevel { width, height, depth, texels: vec![0; (width * height * depth * layers) as usize].into() }
+            })
+            .collect();
+        TextureImage { id: 0, kind, format: TexelFormat::Rgba8, levels }
+    }
+
+    #[test]
+    fn levels_lie_one_behind_the_other() {
+        for (kind, sides, layers, halvings) in [
+            (TextureKind::D2, [256, 256, 1], 1, 2),
+            (TextureKind::D2, [100, 75, 1], 1, 2),
+            (TextureKind::D2, [1024, 2, 1], 1, 1),
+            (TextureKind::D1, [1, 1, 1], 1, 2),
+            (TextureKind::D1, [512, 1, 1], 1, 1),
+            (TextureKind::D3, [32, 16, 8], 1, 2),
+            (TextureKind::Cube, [64, 64, 1], 6, 2),
+        ] {
+            let image = image(kind, sides, layers);
+            let room = LevelRoom::new(&image);
+            assert_eq!(room.halvings, halvings, "{kind:?} {sides:?}");
+            let mut end = 0;
+            for (k, level) in image.levels.iter().enumerate() {
+                assert!(room.offset(k as u32) >= end, "{kind:?} {sides:?} level {k}");
+                end = room.offset(k as u32) + level.texels.len() as u32;
+            }
+            assert!(Heap::words(&image) >= end);
         }
     }
 }
