@@ -1,15 +1,15 @@
 // A lane a triangle (or a triangle and a row of bins): which bins of 64 x 64 pixels does it touch? A bit a triangle is set in the bin's mask of its block
 // (32 triangles). Reads triangles, writes masks (zero before; emit leaves them zero).
 
-fn tp_outside(base: u32, corner: vec2<i32>) -> bool {
+fn tp_outside(corners: TpCorners, corner: vec2<i32>) -> bool {
     // The box of samples corner .. corner + 63 lies outside one edge.
     var outside = false;
     for (var e = 0u; e < 3u; e++) {
         let f = select(e + 1u, 0u, e == 2u);
-        let ax = bitcast<i32>(tp_triangles[base + e]);
-        let ay = bitcast<i32>(tp_triangles[base + 3u + e]);
-        let dx = ax - bitcast<i32>(tp_triangles[base + f]);
-        let dy = ay - bitcast<i32>(tp_triangles[base + 3u + f]);
+        let ax = corners.x[e];
+        let ay = corners.y[e];
+        let dx = ax - corners.x[f];
+        let dy = ay - corners.y[f];
         // The corner where the edge function is greatest.
 //#if SAMPLES
         // Samples lie within half a pixel of the centres.
@@ -36,8 +36,9 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
         return;
     }
     let base = (tp_first_triangle() + index) * TP_TRIANGLE_WORDS;
-    let columns = tp_triangles[base + TP_TRIANGLE_COLUMNS];
-    let rows = tp_triangles[base + TP_TRIANGLE_ROWS];
+    let box = tp_triangle_words(base, TP_TRIANGLE_COLUMNS / 2u);
+    let columns = box.x;
+    let rows = box.y;
     let x0 = (columns & 0xffffu) >> 6u;
     let x1 = columns >> 22u;
     let row = number % lanes;
@@ -50,12 +51,16 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
     let blocks = tp_blocks();
     // Boxes of up to 2 x 2 bins touch nearly all of them: the test would cost more than it saves.
     let test = (x1 - x0 + 1u) * (y1 - y0 + 1u) > 4u;
+    var corners: TpCorners;
+    if (test) {
+        corners = tp_corners(base);
+    }
     var x = x0;
     var y = y0;
     loop {
         var skip = false;
         if (test) {
-            skip = tp_outside(base, vec2<i32>(i32(x * 64u), i32(y * 64u)));
+            skip = tp_outside(corners, vec2<i32>(i32(x * 64u), i32(y * 64u)));
         }
         if (!skip) {
             atomicOr(&tp_lists[tp.mask_base + (y * tp.bins.x + x) * blocks + (index >> 5u)], bit);

@@ -38,7 +38,11 @@ struct TpParams {
 //#if VISIBLE
 //#else
 @group(0) @binding(0) var<storage, read> uniforms: array<vec4<f32>>;
+//#if TRIANGLE_PAIRS
+@group(0) @binding(2) var<storage, read> tp_triangles: array<u64>;
+//#else
 @group(0) @binding(2) var<storage, read> tp_triangles: array<u32>;
+//#endif
 //#if VECTORS
 // A GPU loads four words as fast as one.
 @group(0) @binding(1) var<storage, read> tp_records: array<vec4<u32>>;
@@ -63,7 +67,11 @@ struct TpParams {
 //#endif
 @group(0) @binding(5) var<storage, read_write> tp_color: array<u32>;
 @group(0) @binding(6) var<storage, read_write> tp_depth: array<u32>;
+//#if PAIRS
+@group(0) @binding(7) var<storage, read> tp_texels: array<u64>;
+//#else
 @group(0) @binding(7) var<storage, read> tp_texels: array<u32>;
+//#endif
 // The segments' triangles, TP_SEGMENT_WORDS each: first triangle, triangles, blocks of 32, super blocks of 1024.
 @group(0) @binding(8) var<storage, read> tp_segments: array<u32>;
 @group(0) @binding(9) var<uniform> tp: TpParams;
@@ -71,6 +79,31 @@ struct TpParams {
 fn tp_zero() -> f32 {
     return tp.zero;
 }
+
+//#if TRIANGLES
+// Words 2 k and 2 k + 1 of a triangle.
+fn tp_triangle_words(base: u32, k: u32) -> vec2<u32> {
+//#if TRIANGLE_PAIRS
+    let pair = tp_triangles[(base >> 1u) + k];
+    return vec2<u32>(u32(pair & 0xfffffffflu), u32(pair >> 32u));
+//#else
+    return vec2<u32>(tp_triangles[base + k * 2u], tp_triangles[base + k * 2u + 1u]);
+//#endif
+}
+
+// Its corners: three x and three y.
+struct TpCorners {
+    x: vec3<i32>,
+    y: vec3<i32>,
+}
+
+fn tp_corners(base: u32) -> TpCorners {
+    let a = bitcast<vec2<i32>>(tp_triangle_words(base, 0u));
+    let b = bitcast<vec2<i32>>(tp_triangle_words(base, 1u));
+    let c = bitcast<vec2<i32>>(tp_triangle_words(base, 2u));
+    return TpCorners(vec3<i32>(a, b.x), vec3<i32>(b.y, c));
+}
+//#endif
 
 fn tp_first_triangle() -> u32 {
     return tp_segments[tp.segment * TP_SEGMENT_WORDS];

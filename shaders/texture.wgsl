@@ -96,25 +96,72 @@ fn tp_linear(c: f32, size: i32, wrap: u32) -> TpAxis {
     return a;
 }
 
-// A texel; components of 8 bits count from 0 to 255.
-fn tp_texel(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, x: i32, y: i32, z: i32) -> vec4<f32> {
-    let may_leave = any(vec3<bool>(c.wrap.x == 1u || c.wrap.x == 3u, c.wrap.y == 1u || c.wrap.y == 3u, c.wrap.z == 1u || c.wrap.z == 3u));
-    var at = u32((z * size.y + y) * size.x + x);
-    if (may_leave) {
-        at = u32(max(bitcast<i32>(at), 0));
+// Some index may be -1.
+fn tp_may_leave(c: TpClass) -> bool {
+    return any(c.wrap == vec3<u32>(1u)) || any(c.wrap == vec3<u32>(3u));
+}
+
+// A texel's number within its level; of one beyond the border that of some texel.
+fn tp_number(c: TpClass, size: vec3<i32>, x: i32, y: i32, z: i32) -> u32 {
+    let at = (z * size.y + y) * size.x + x;
+    if (tp_may_leave(c)) {
+        return u32(max(at, 0));
     }
-    var v: vec4<f32>;
-    if (c.floats) {
-        let w = offset + at * 4u;
-        v = bitcast<vec4<f32>>(vec4<u32>(tp_texels[w], tp_texels[w + 1u], tp_texels[w + 2u], tp_texels[w + 3u]));
-    } else {
-        let w = tp_texels[offset + at];
-        v = vec4<f32>(vec4<i32>(i32(w & 255u), i32((w >> 8u) & 255u), i32((w >> 16u) & 255u), i32(w >> 24u)));
-    }
-    if (may_leave) {
-        v = select(v, t.border * select(255.0, 1.0, c.floats), (x | y | z) < 0);
+    return u32(at);
+}
+
+fn tp_bytes(w: u32) -> vec4<f32> {
+    return vec4<f32>(vec4<i32>(i32(w & 255u), i32((w >> 8u) & 255u), i32((w >> 16u) & 255u), i32(w >> 24u)));
+}
+
+// A texel, or the border.
+fn tp_or_border(t: TpTexture, c: TpClass, v: vec4<f32>, x: i32, y: i32, z: i32) -> vec4<f32> {
+    if (tp_may_leave(c)) {
+        return select(v, t.border * select(255.0, 1.0, c.floats), (x | y | z) < 0);
     }
     return v;
+}
+
+// A texel; components of 8 bits count from 0 to 255.
+fn tp_texel(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, x: i32, y: i32, z: i32) -> vec4<f32> {
+    let at = tp_number(c, size, x, y, z);
+    var v: vec4<f32>;
+    if (c.floats) {
+//#if PAIRS
+        let w = (offset >> 1u) + at * 2u;
+        let a = tp_texels[w];
+        let b = tp_texels[w + 1u];
+        v = bitcast<vec4<f32>>(vec4<u32>(u32(a & 0xfffffffflu), u32(a >> 32u), u32(b & 0xfffffffflu), u32(b >> 32u)));
+//#else
+        let w = offset + at * 4u;
+        v = bitcast<vec4<f32>>(vec4<u32>(tp_texels[w], tp_texels[w + 1u], tp_texels[w + 2u], tp_texels[w + 3u]));
+//#endif
+    } else {
+//#if PAIRS
+        v = tp_bytes(u32(tp_texels[(offset >> 1u) + at] & 0xfffffffflu));
+//#else
+        v = tp_bytes(tp_texels[offset + at * TP_TEXEL_WORDS]);
+//#endif
+    }
+    return tp_or_border(t, c, v, x, y, z);
+}
+
+// The two texels of a row around a coordinate, mixed.
+fn tp_row(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, x: TpAxis, y: i32, z: i32) -> vec4<f32> {
+//#if PAIRS
+    if (!c.floats) {
+        let first = max(x.low, 0);
+        let pair = tp_texels[(offset >> 1u) + tp_number(c, size, first, y, z)];
+        let low = u32(pair & 0xfffffffflu);
+        var high = u32(pair >> 32u);
+        // The neighbour is that of a texture that repeats.
+        if (c.wrap.x != 0u) {
+            high = select(high, low, x.high == first);
+        }
+        return tp_lerp(tp_or_border(t, c, tp_bytes(low), x.low, y, z), tp_or_border(t, c, tp_bytes(high), x.high, y, z), x.weight);
+    }
+//#endif
+    return tp_lerp(tp_texel(t, c, offset, size, x.low, y, z), tp_texel(t, c, offset, size, x.high, y, z), x.weight);
 }
 
 fn tp_lerp(a: vec4<f32>, b: vec4<f32>, t: f32) -> vec4<f32> {
@@ -122,9 +169,7 @@ fn tp_lerp(a: vec4<f32>, b: vec4<f32>, t: f32) -> vec4<f32> {
 }
 
 fn tp_bilinear(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, x: TpAxis, y: TpAxis, z: i32) -> vec4<f32> {
-    let low = tp_lerp(tp_texel(t, c, offset, size, x.low, y.low, z), tp_texel(t, c, offset, size, x.high, y.low, z), x.weight);
-    let high = tp_lerp(tp_texel(t, c, offset, size, x.low, y.high, z), tp_texel(t, c, offset, size, x.high, y.high, z), x.weight);
-    return tp_lerp(low, high, y.weight);
+    return tp_lerp(tp_row(t, c, offset, size, x, y.low, z), tp_row(t, c, offset, size, x, y.high, z), y.weight);
 }
 
 // One level with one filter; `p` is s, t, r, and the face of a cube map.
@@ -145,7 +190,7 @@ fn tp_level(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, linear: bool
     }
     let x = tp_linear(p.x, size.x, c.wrap.x);
     if (c.kind == 1u) {
-        return tp_lerp(tp_texel(t, c, offset, size, x.low, 0, 0), tp_texel(t, c, offset, size, x.high, 0, 0), x.weight) * scale;
+        return tp_row(t, c, offset, size, x, 0, 0) * scale;
     }
     let y = tp_linear(p.y, size.y, c.wrap.y);
     if (c.kind != 3u) {

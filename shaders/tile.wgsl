@@ -12,8 +12,9 @@ var<workgroup> tp_tiles: array<vec2<u32>, 32>;
 // at `origin`. Edge functions are relative to the bin: c + a * x + b * y, inside where none is negative, 32 bits all over it: they are
 // saturated at the bin's middle, and c itself is right modulo 2^32.
 fn tp_entry(base: u32, at: u32, origin: vec2<i32>) -> vec2<u32> {
-    let columns = tp_triangles[base + TP_TRIANGLE_COLUMNS];
-    let rows = tp_triangles[base + TP_TRIANGLE_ROWS];
+    let box_words = tp_triangle_words(base, TP_TRIANGLE_COLUMNS / 2u);
+    let columns = box_words.x;
+    let rows = box_words.y;
     let left = max(i32(columns & 0xffffu) - origin.x, 0);
     let right = min(i32(columns >> 16u) - origin.x, 63);
     let top = max(i32(rows & 0xffffu) - origin.y, 0);
@@ -23,8 +24,9 @@ fn tp_entry(base: u32, at: u32, origin: vec2<i32>) -> vec2<u32> {
     let y0 = top >> 3u;
     let y1 = bottom >> 3u;
     let span = ((2u << u32(x1)) - 1u) & ~((1u << u32(x0)) - 1u);
-    let px = vec3<i32>(bitcast<i32>(tp_triangles[base]), bitcast<i32>(tp_triangles[base + 1u]), bitcast<i32>(tp_triangles[base + 2u]));
-    let py = vec3<i32>(bitcast<i32>(tp_triangles[base + 3u]), bitcast<i32>(tp_triangles[base + 4u]), bitcast<i32>(tp_triangles[base + 5u]));
+    let corners = tp_corners(base);
+    let px = corners.x;
+    let py = corners.y;
     let dx = px - px.yzx;
     let dy = py - py.yzx;
     let qx = origin.x * 256 - px;
@@ -44,8 +46,9 @@ fn tp_entry(base: u32, at: u32, origin: vec2<i32>) -> vec2<u32> {
         tp_lists[at + 6u + k] = bitcast<u32>(b[k]);
     }
     var box = u32(left) | (u32(right) << 8u) | (u32(top) << 16u) | (u32(bottom) << 24u);
-    var planes = tp_triangles[base + TP_TRIANGLE_PLANES] * 4u;
-    var flags = tp_triangles[base + TP_TRIANGLE_FLAGS];
+    var planes = tp_triangle_words(base, TP_TRIANGLE_PLANES / 2u).x * 4u;
+    let draw_words = tp_triangle_words(base, TP_TRIANGLE_DRAW / 2u);
+    var flags = draw_words.y;
     // Each edge function at the corner of a tile where it is greatest.
     var most = c + 7 * (max(a, vec3<i32>(0)) + max(b, vec3<i32>(0)));
 //#if SAMPLES
@@ -62,7 +65,7 @@ fn tp_entry(base: u32, at: u32, origin: vec2<i32>) -> vec2<u32> {
 //#endif
     tp_lists[at + 9u] = box;
     tp_lists[at + 10u] = planes;
-    tp_lists[at + 11u] = tp_triangles[base + TP_TRIANGLE_DRAW] | (flags << 24u);
+    tp_lists[at + 11u] = draw_words.x | (flags << 24u);
     let small = x0 == x1 || y0 == y1;
     var mask = vec2<u32>(0u);
     for (var y = 0; y < 8; y++) {

@@ -20,6 +20,8 @@ pub struct Shape {
     pub fuses: bool,
     /// There are integers and atomic minima of 64 bits, and storage buffers enough for the visible path.
     pub keys64: bool,
+    /// Words of a texel of four bytes: 2 where loads go lane by lane, two words at a time, so that its right neighbour comes with it.
+    pub texel_words: u32,
     /// Blocks of 32 triangles of a bin's list that a dispatch of the fine stage of 8 lanes goes through: see [`ROUND_BLOCKS`].
     pub round_blocks: u32,
     /// Vertices, clipping and set-up are done by the Rust twins on the host: where the "GPU" is the same processor, they are faster.
@@ -129,12 +131,23 @@ fn open() -> Result<Gpu, String> {
     let fuses = !cpu;
     let keys = wgpu::Features::SHADER_INT64 | wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX;
     let keys64 = features.contains(keys) && device.limits().max_storage_buffers_per_shader_stage >= 12;
+    let wanted = wgpu::Features::SUBGROUP | wgpu::Features::SHADER_INT64;
+    let subgroup8 = cpu && features.contains(wanted) && info.subgroup_min_size == 8 && info.subgroup_max_size == 8;
+    let texel_words = if subgroup8 { 2 } else { 1 };
     let mut shape = if cpu {
-        let wanted = wgpu::Features::SUBGROUP | wgpu::Features::SHADER_INT64;
-        let subgroup8 = features.contains(wanted) && info.subgroup_min_size == 8 && info.subgroup_max_size == 8;
-        Shape { fine_lanes: 8, list_lanes: 8, subgroup8, fma64, fuses, keys64, round_blocks: ROUND_BLOCKS, host_front: cpu }
+        Shape { fine_lanes: 8, list_lanes: 8, subgroup8, fma64, fuses, keys64, texel_words, round_blocks: ROUND_BLOCKS, host_front: cpu }
     } else {
-        Shape { fine_lanes: 32, list_lanes: 64, subgroup8: false, fma64, fuses, keys64, round_blocks: ROUND_BLOCKS, host_front: cpu }
+        Shape {
+            fine_lanes: 32,
+            list_lanes: 64,
+            subgroup8: false,
+            fma64,
+            fuses,
+            keys64,
+            texel_words,
+            round_blocks: ROUND_BLOCKS,
+            host_front: cpu,
+        }
     };
     // For tests of the other shapes on one machine.
     match std::env::var("TEPUI_GPU_SHAPE").as_deref() {
@@ -147,13 +160,23 @@ fn open() -> Result<Gpu, String> {
                 fma64,
                 fuses,
                 keys64,
+                texel_words,
                 round_blocks: ROUND_BLOCKS,
                 host_front: cpu,
             }
         }
         Ok("8") => {
-            shape =
-                Shape { fine_lanes: 8, list_lanes: 8, subgroup8: false, fma64, fuses, keys64, round_blocks: ROUND_BLOCKS, host_front: cpu }
+            shape = Shape {
+                fine_lanes: 8,
+                list_lanes: 8,
+                subgroup8: false,
+                fma64,
+                fuses,
+                keys64,
+                texel_words,
+                round_blocks: ROUND_BLOCKS,
+                host_front: cpu,
+            }
         }
         _ => {}
     }

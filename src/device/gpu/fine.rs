@@ -170,7 +170,7 @@ impl FineKey {
         let nearer_wins = matches!(self.depth_func, Some(compare::LESS | compare::LEQUAL)) && !on(feature::MIXED);
         let rejects = self.samples >= 16 && nearer_wins && on(feature::DEPTH_TEST) && !writes_depth && !on(feature::STENCIL_TEST);
         options.flag("REJECTS", rejects);
-        let mut extra = round_constant(shape);
+        let mut extra = format!("{}const TP_TEXEL_WORDS = {}u;\n", round_constant(shape), shape.texel_words);
         let float_depth = self.depth_bits == DepthFormat::F32.bits();
         options.flag("FLOAT_DEPTH", float_depth);
         let (scale, mask) = if float_depth { (1, !0) } else { ((1u64 << self.depth_bits) - 1, 0xff_ffffu32) };

@@ -153,6 +153,9 @@ impl Stage {
         options.flag("SMOOTH", features & front::SMOOTH != 0);
         options.flag("OFFSET", features & front::OFFSET != 0);
         options.flag("RUNS", !wide);
+        let triangles = matches!(self, Stage::Bin(_) | Stage::Tile(_));
+        options.flag("TRIANGLES", triangles);
+        options.flag("TRIANGLE_PAIRS", triangles && shape.subgroup8);
         let _ = writeln!(
             extra,
             "{}const TP_RUN = {RUN}u;\nconst TP_SUMS = {}u;\nconst TP_EMIT_LANES = {}u;",

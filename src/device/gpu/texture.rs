@@ -6,9 +6,10 @@ use std::fmt::Write;
 
 use bytemuck::cast_slice;
 
+use super::adapter::Shape;
 use super::buffers::Growing;
 use super::source::{Options, expand, files};
-use crate::draw::texture::{TexelFormat, TextureBinding, TextureImage, TextureKind, Wrap};
+use crate::draw::texture::{TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
 
 /// What sampling of a texture slot needs: a part of the kernel's key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -117,6 +118,12 @@ tp_texture{slot}.size = vec3<i32>(i32(WORD(tx{slot}, 6) & 0xffffu), i32(WORD(tx{
 /// Words of a texture binding's record.
 pub const BINDING_WORDS: usize = 16;
 
+/// Texels in pairs, each with its right neighbour.
+fn with_neighbours(level: &TextureLevel) -> Vec<[u32; 2]> {
+    let rows = level.texels.chunks_exact(level.width.max(1) as usize);
+    rows.flat_map(|row| row.iter().zip(row.iter().cycle().skip(1)).map(|(&texel, &right)| [texel, right])).collect()
+}
+
 /// How an image's levels follow each other: each has half or a quarter of the room of the one before, so that a kernel need not look up where
 /// one lies.
 struct LevelRoom {
@@ -127,13 +134,16 @@ struct LevelRoom {
 }
 
 impl LevelRoom {
-    fn new(image: &TextureImage) -> LevelRoom {
+    fn new(image: &TextureImage, pairs: bool) -> LevelRoom {
         let last = image.levels.len().saturating_sub(1) as u32;
-        let first = image.levels.first().map_or(0, |l| l.texels.len() as u32);
+        let of_pairs = pairs && image.format == TexelFormat::Rgba8;
+        let words = |level: &TextureLevel| level.texels.len() as u32 * if of_pairs { 2 } else { 1 };
+        let first = image.levels.first().map_or(0, words);
         let room = |halvings: u32| LevelRoom { base: first.next_multiple_of(1 << (halvings * last)), halvings };
-        // A quarter is enough as long as both sides halve.
-        let fits = |r: &LevelRoom| image.levels.iter().zip(0..).all(|(l, k)| l.texels.len() as u32 <= r.base >> (r.halvings * k));
-        Some(room(2)).filter(fits).unwrap_or_else(|| room(1))
+        // A quarter is enough as long as both sides halve; a long texture fits too, but with room for a square one.
+        let fits = |r: &LevelRoom| image.levels.iter().zip(0..).all(|(l, k)| words(l) <= r.base >> (r.halvings * k));
+        let [by_half, by_quarter] = [room(1), room(2)];
+        if fits(&by_quarter) && by_quarter.offset(last + 1) <= by_half.offset(last + 1) { by_quarter } else { by_half }
     }
 
     /// Where a level begins; the twin of `tp_level_offset`.
@@ -147,14 +157,17 @@ impl LevelRoom {
 /// The texels of all images, cached by the images' ids.
 pub struct Heap {
     texels: Growing,
+    /// Every texel of four bytes is followed by its right neighbour, the last of a row by the first: see [`Shape::texel_words`].
+    pairs: bool,
     offsets: HashMap<u64, u32>,
     used: u32,
 }
 
 impl Heap {
     /// Empty.
-    pub fn new(device: &wgpu::Device) -> Heap {
-        Heap { texels: Growing::new(device, "texels", wgpu::BufferUsages::STORAGE), offsets: HashMap::new(), used: 0 }
+    pub fn new(device: &wgpu::Device, shape: Shape) -> Heap {
+        let texels = Growing::new(device, "texels", wgpu::BufferUsages::STORAGE);
+        Heap { texels, pairs: shape.texel_words == 2, offsets: HashMap::new(), used: 0 }
     }
 
     /// Changes when the buffer was replaced.
@@ -167,8 +180,8 @@ impl Heap {
         self.texels.get()
     }
 
-    fn words(image: &TextureImage) -> u32 {
-        LevelRoom::new(image).offset(image.levels.len() as u32)
+    fn words(&self, image: &TextureImage) -> u32 {
+        LevelRoom::new(image, self.pairs).offset(image.levels.len() as u32).next_multiple_of(2)
     }
 
     /// Uploads the images of these bindings that are not there yet.
@@ -182,7 +195,7 @@ impl Heap {
         if missing.is_empty() {
             return;
         }
-        let more: u64 = missing.iter().map(|i| Heap::words(i) as u64).sum();
+        let more: u64 = missing.iter().map(|i| self.words(i) as u64).sum();
         if (self.used as u64 + more) * 4 > self.texels.get().size() {
             // Start over with what this batch needs: a simple rule, rarely used, since the buffer doubles.
             self.offsets.clear();
@@ -193,17 +206,21 @@ impl Heap {
                     missing.push(&b.image);
                 }
             }
-            let all: u64 = missing.iter().map(|i| Heap::words(i) as u64).sum();
+            let all: u64 = missing.iter().map(|i| self.words(i) as u64).sum();
             self.texels.reserve(device, all * 4);
         }
         for image in missing {
             self.offsets.insert(image.id, self.used);
-            let room = LevelRoom::new(image);
+            let room = LevelRoom::new(image, self.pairs);
             for (k, level) in image.levels.iter().enumerate() {
-                let at = self.used + room.offset(k as u32);
-                queue.write_buffer(self.texels.get(), at as u64 * 4, cast_slice(&level.texels));
+                let at = (self.used + room.offset(k as u32)) as u64 * 4;
+                if self.pairs && image.format == TexelFormat::Rgba8 {
+                    queue.write_buffer(self.texels.get(), at, cast_slice(&with_neighbours(level)));
+                } else {
+                    queue.write_buffer(self.texels.get(), at, cast_slice(&level.texels));
+                }
             }
-            self.used += Heap::words(image);
+            self.used += self.words(image);
         }
     }
 
@@ -212,7 +229,7 @@ impl Heap {
         let start = words.len();
         words.resize(start + bindings.len() * BINDING_WORDS, 0);
         for (k, b) in bindings.iter().enumerate() {
-            let room = LevelRoom::new(&b.image);
+            let room = LevelRoom::new(&b.image, self.pairs);
             let s = &b.sampler;
             let record = &mut words[start + k * BINDING_WORDS..][..BINDING_WORDS];
             record[0] = room.base;
@@ -235,7 +252,6 @@ impl Heap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::draw::texture::TextureLevel;
 
     /// An image whose levels have these sides, down to 1 in all of them.
     fn image(kind: TextureKind, sides: [u32; 3], layers: u32) -> TextureImage {
@@ -261,14 +277,13 @@ mod tests {
             (TextureKind::Cube, [64, 64, 1], 6, 2),
         ] {
             let image = image(kind, sides, layers);
-            let room = LevelRoom::new(&image);
+            let room = LevelRoom::new(&image, false);
             assert_eq!(room.halvings, halvings, "{kind:?} {sides:?}");
             let mut end = 0;
             for (k, level) in image.levels.iter().enumerate() {
                 assert!(room.offset(k as u32) >= end, "{kind:?} {sides:?} level {k}");
                 end = room.offset(k as u32) + level.texels.len() as u32;
             }
-            assert!(Heap::words(&image) >= end);
         }
     }
 }
