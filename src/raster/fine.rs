@@ -6,12 +6,13 @@
 
 use super::interpolate::Interpolator;
 use super::layout::*;
+use super::modulate::{Colors, Fragments, Source};
 use super::setup::Chunk;
 use super::simd::{Simd, eight, prefetch};
 use super::store::BinPixels;
 use super::tile::{FULL, LocalEdges, rectangle_mask};
 use super::write::{Color, write};
-use super::{blend, clear, depth_stencil, fast, modulate, samples};
+use super::{blend, clear, depth_stencil, fast, modulate, samples, textured};
 use crate::device::samples::MAX_SAMPLES;
 use crate::device::{ColorFormat, DepthFormat, SurfaceFormat};
 use crate::draw::texture::{TextureBinding, TextureKind};
@@ -53,7 +54,7 @@ pub struct Plan<'a> {
     /// The colour is this varying: no program runs.
     pub direct: Option<usize>,
     /// The colour is a varying times a texel: no program runs.
-    modulate: Option<Modulate>,
+    pub modulate: Option<Modulate>,
     /// Depth and stencil are tested before the colour is known.
     pub early: bool,
     /// There is any depth or stencil test.
@@ -114,7 +115,7 @@ impl<'a> Plan<'a> {
             depth_range: raster.depth_range,
             constant: blend::constant_pairs(state),
             write_mask,
-            fast: fast::choose(state, format, direct.is_some(), write_mask),
+            fast: fast::choose(state, format, [direct.is_some(), modulate.is_some()], write_mask),
             depth_bias: (state.depth_func == compare::LEQUAL) as i32,
             modes: draw.record.varyings.map(|v| v >> 16 & 3),
         }
@@ -134,6 +135,7 @@ impl Plan<'_> {
             fast::BLEND => "the blending routine (colour passes through, no program, no tests)",
             fast::DEPTH_BLEND => "the depth-tested blending routine (colour passes through, no program)",
             fast::COPY => "the replacing routine (colour passes through, no program, no tests)",
+            f if f & fast::TEXTURE != 0 => "the routine of one texture (no program)",
             _ if self.direct.is_some() => "the general routine without a program",
             _ if self.modulate.is_some() => "the general routine with one texture (no program)",
             _ if self.early => "the general routine with early tests and a program",
@@ -172,11 +174,11 @@ pub struct Row {
 }
 
 impl Scene<'_> {
-    /// The planes of a row's triangle.
+    /// The planes of a triangle of a work, by its first.
     #[inline(always)]
-    pub fn planes(&self, row: &Row) -> &[[f32; 4]] {
-        match self.work[row.work as usize] {
-            Work::Triangles(chunk) => &chunk.planes[row.planes as usize..],
+    pub fn planes(&self, work: u32, first: u32) -> &[[f32; 4]] {
+        match self.work[work as usize] {
+            Work::Triangles(chunk) => &chunk.planes[first as usize..],
             Work::Clear(_) => &[],
         }
     }
@@ -196,6 +198,8 @@ pub struct Worker {
     queued: usize,
     /// Lanes that the queued rows take.
     lanes: usize,
+    /// Fragments of one modulated texture.
+    fragments: Box<Fragments>,
     /// Tiles that were fully and partly covered.
     pub tiles: [u64; 2],
 }
@@ -212,6 +216,7 @@ impl Default for Worker {
             queue: Box::new([Row::default(); LANES * GROUPS]),
             queued: 0,
             lanes: 0,
+            fragments: Box::default(),
             tiles: [0; 2],
         }
     }
@@ -283,6 +288,8 @@ fn triangle<S: Simd>(worker: &mut Worker, scene: &Scene, t: &Triangle, planes: &
         fast::BLEND => tiles::<S, { fast::BLEND }>(worker, scene, plan, t, &local, planes, bin),
         fast::DEPTH_BLEND => tiles::<S, { fast::DEPTH_BLEND }>(worker, scene, plan, t, &local, planes, bin),
         fast::COPY => tiles::<S, { fast::COPY }>(worker, scene, plan, t, &local, planes, bin),
+        fast::TEXTURED_DEPTH => tiles::<S, { fast::TEXTURED_DEPTH }>(worker, scene, plan, t, &local, planes, bin),
+        fast::TEXTURED_COPY => tiles::<S, { fast::TEXTURED_COPY }>(worker, scene, plan, t, &local, planes, bin),
         _ => tiles::<S, { fast::NONE }>(worker, scene, plan, t, &local, planes, bin),
     }
 }
@@ -343,6 +350,7 @@ fn tiles<S: Simd, const MODE: u32>(
 ) {
     let [ox, oy] = bin.origin;
     let extent = Extent::new(t, bin);
+    let source = Source { work: worker.work, planes: t.planes, perspective: t.flags & triangle_flags::PERSPECTIVE != 0 };
     for ty in extent.tiles(extent.rows) {
         let (first, last) = extent.rows_of(ty);
         for tx in extent.tiles(extent.columns) {
@@ -352,7 +360,12 @@ fn tiles<S: Simd, const MODE: u32>(
             let tile = ((ty * 8 + tx) * 64) as usize;
             if MODE != fast::NONE {
                 let tile = fast::Tile { at: tile, place: [ox + tx * 8, oy + ty * 8], edges, rows: [first, last], allowed };
-                worker.tiles[!full as usize] += fast::tile::<S, MODE>(plan, t, planes, bin, tile) as u64;
+                let touched = if MODE & fast::TEXTURE != 0 {
+                    textured::tile::<S, MODE>(&mut worker.fragments, scene, plan, t.draw, source, planes, bin, tile)
+                } else {
+                    fast::tile::<S, MODE>(plan, t, planes, bin, tile)
+                };
+                worker.tiles[!full as usize] += touched as u64;
                 continue;
             }
             let mut mask = edges.mask(first, last) & allowed;
@@ -503,6 +516,7 @@ crate::dispatch! {
 /// Runs and writes what is queued.
 #[inline(always)]
 fn flush<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mut BinPixels) {
+    textured::flush::<S>(&mut worker.fragments, scene, draw, bin);
     if worker.queued != 0 {
         flush_at(S::LEVEL, worker, scene, draw, bin);
     }
@@ -524,7 +538,17 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
     let rows = &worker.queue[..count];
     let groups = lane_count.div_ceil(LANES);
     match (plan.modulate, env.textures.first()) {
-        (Some(what), Some(binding)) => modulate::run::<S>(what, scene, plan, binding, rows, lane_count, &mut worker.results.color),
+        (Some(what), Some(binding)) => {
+            let fragments = &mut worker.fragments;
+            for row in rows {
+                let source = Source { work: row.work, planes: row.planes, perspective: row.perspective };
+                let masks = if row.at & 8 == 0 { [row.mask, 0] } else { [0, row.mask] };
+                fragments.push::<S>(source, row.at & !8, masks, what.lod);
+            }
+            let color = Colors::Columns(&mut worker.results.color);
+            modulate::run::<S>(scene, plan, what, binding, fragments, bin.origin, color);
+            fragments.clear();
+        }
         _ => {
             worker.interpolator.run::<S>(scene, plan, rows, lane_count, &mut worker.inputs);
             worker.machine.run_fragment(plan.program, &env, &worker.inputs, &mut worker.results, groups);
@@ -569,7 +593,7 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
             let place = samples::Place { pixel, place: row.place, front: row.front, several: row.several };
             let computed = plan.program.writes_depth.then_some(z);
             let covered = row.samples.map(|s| s & bits as u8);
-            samples::write::<S>(plan, scene, scene.planes(row), bin, place, covered, color, computed);
+            samples::write::<S>(plan, scene, scene.planes(row.work, row.planes), bin, place, covered, color, computed);
         } else {
             write::<S>(plan, scene.format, bin, pixel, row.front, z, S::mask(bits), color);
         }

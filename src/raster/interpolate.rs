@@ -82,7 +82,7 @@ impl Interpolator {
         // A row holds a fragment at least.
         let mut planes_of: [&[[f32; 4]]; FRAGMENTS] = [&[]; FRAGMENTS];
         for (row, planes) in rows.iter().zip(&mut planes_of) {
-            *planes = scene.planes(row);
+            *planes = scene.planes(row.work, row.planes);
             let (head, tail) = (planes[0], planes[1]);
             let w = if row.perspective { [head[3], tail[0], tail[1]] } else { [1.0, 0.0, 0.0] };
             each_fragment(row, |lane, x| {
@@ -150,7 +150,7 @@ impl Interpolator {
                 continue;
             }
             for row in rows {
-                let planes = scene.planes(row);
+                let planes = scene.planes(row.work, row.planes);
                 let (head, tail) = (planes[0], planes[1]);
                 let y = row.place[1] as f32;
                 each_fragment(row, |lane, x| {

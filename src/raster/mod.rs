@@ -27,6 +27,7 @@ pub mod study;
 pub mod texture;
 #[cfg(target_arch = "x86_64")]
 mod texture_wide;
+mod textured;
 pub mod tile;
 pub mod vertex;
 mod write;

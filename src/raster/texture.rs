@@ -3,6 +3,9 @@
 //! The level of detail is `log2(max(|d/dx|, |d/dy|))` in texels, the ideal function of equation 3.20.
 
 #[cfg(target_arch = "x86_64")]
+use super::simd::Avx2;
+use super::simd::{self, Level, Portable};
+#[cfg(target_arch = "x86_64")]
 use super::texture_wide;
 use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
 use crate::program::lanes::{LANES, Simd, math};
@@ -13,16 +16,19 @@ type Indices = [i32; LANES];
 /// Index of a texel that is the border colour.
 const BORDER: i32 = -1;
 
+/// Four components of eight lanes, lane by lane.
+pub type Texels = [[f32; 4]; LANES];
+
 /// Samples one group of lanes: `coord` is s, t, r and an unused fourth; `gradients` the derivatives of s, t, r in x and y
 /// of the raster, absent where no level of detail is wanted.
 pub fn sample_group(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>, level: Simd) -> [Lanes; 4] {
     match level {
-        Simd::Scalar => sample::<false>(binding, coord, gradients),
+        Simd::Scalar => sample::<Portable>(binding, coord, gradients),
         // SAFETY: `Simd::Avx2` exists only where the processor has AVX2 and FMA.
         #[cfg(target_arch = "x86_64")]
         Simd::Avx2 => unsafe { sample_avx2(binding, coord, gradients) },
         #[cfg(not(target_arch = "x86_64"))]
-        Simd::Avx2 => sample::<false>(binding, coord, gradients),
+        Simd::Avx2 => sample::<Portable>(binding, coord, gradients),
     }
 }
 
@@ -31,7 +37,117 @@ pub fn sample_group(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Opt
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
 unsafe fn sample_avx2(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
-    sample::<true>(binding, coord, gradients)
+    sample::<Avx2>(binding, coord, gradients)
+}
+
+#[inline(always)]
+fn sample<S: simd::Simd>(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
+    let (image, sampler) = (&*binding.image, &binding.sampler);
+    let Some(base) = image.levels.first() else { return NOTHING };
+    let position = match image.kind {
+        TextureKind::Cube => cube_position(coord),
+        _ => Position { s: coord[0], t: coord[1], r: coord[2], face: [0; LANES] },
+    };
+    let lambda = gradients.map(|gradients| level_of_detail(image, sampler, base, coord, gradients, &position));
+    if let Some(texels) = wide::<S>(image, sampler, base, &position, lambda.as_ref()) {
+        return columns::<S>(&texels);
+    }
+    at_levels::<S>(image, sampler, base, &position, lambda)
+}
+
+/// λ of eight lanes on a flat image, from the derivatives of s, t (and of r, which does not count).
+#[inline(always)]
+pub fn flat_lambda(binding: &TextureBinding, gradients: [&[Lanes; 3]; 2]) -> Lanes {
+    let position = Position { s: [0.0; LANES], t: [0.0; LANES], r: [0.0; LANES], face: [0; LANES] };
+    match binding.image.levels.first() {
+        Some(base) => level_of_detail(&binding.image, &binding.sampler, base, &[[0.0; LANES]; 4], gradients, &position),
+        None => [0.0; LANES],
+    }
+}
+
+/// Samples a flat image at s and t, with λ where a level of detail is wanted.
+#[inline(always)]
+pub fn sample_flat<S: simd::Simd>(binding: &TextureBinding, [s, t]: [Lanes; 2], lambda: Option<Lanes>) -> Texels {
+    let (image, sampler) = (&*binding.image, &binding.sampler);
+    let Some(base) = image.levels.first() else { return rows(&NOTHING) };
+    let position = Position { s, t, r: [0.0; LANES], face: [0; LANES] };
+    if let Some(texels) = wide::<S>(image, sampler, base, &position, lambda.as_ref()) {
+        return texels;
+    }
+    rows(&at_levels_at(S::LEVEL, image, sampler, base, &position, lambda))
+}
+
+crate::dispatch! {
+    /// [`at_levels`] at a level, not inlined: what is sampled by it is seldom.
+    fn at_levels_at = at_levels(image: &TextureImage, sampler: &Sampler, base: &TextureLevel, position: &Position, lambda: Option<Lanes>) -> [Lanes; 4]
+}
+
+/// What an image without texels gives.
+const NOTHING: [Lanes; 4] = [[0.0; LANES], [0.0; LANES], [0.0; LANES], [1.0; LANES]];
+
+#[inline(always)]
+fn rows(columns: &[Lanes; 4]) -> Texels {
+    let mut rows = [[0.0; 4]; LANES];
+    for (lane, row) in rows.iter_mut().enumerate() {
+        for c in 0..4 {
+            row[c] = columns[c][lane];
+        }
+    }
+    rows
+}
+
+#[inline(always)]
+fn columns<S: simd::Simd>(rows: &Texels) -> [Lanes; 4] {
+    let mut columns = [[0.0; LANES]; 4];
+    let of = S::columns(rows.each_ref());
+    for c in 0..4 {
+        S::store(of[c], &mut columns[c]);
+    }
+    columns
+}
+
+/// The commonest filters, where the processor has AVX2; `None` for others.
+#[inline(always)]
+fn wide<S: simd::Simd>(
+    image: &TextureImage,
+    sampler: &Sampler,
+    base: &TextureLevel,
+    p: &Position,
+    lambda: Option<&Lanes>,
+) -> Option<Texels> {
+    match lambda {
+        None => wide_level::<S>(image, sampler, base, sampler.mag_linear, p),
+        Some(lambda) => {
+            let trilinear = S::LEVEL == Level::Avx2
+                && image.format == TexelFormat::Rgba8
+                && image.kind == TextureKind::D2
+                && sampler.mag_linear
+                && runs_on(sampler);
+            #[cfg(target_arch = "x86_64")]
+            if trilinear {
+                // SAFETY: the level is AVX2.
+                return unsafe { texture_wide::trilinear(&image.levels, [sampler.wrap[0], sampler.wrap[1]], [&p.s, &p.t], lambda) };
+            }
+            None
+        }
+    }
+}
+
+/// [`sample_level`] likewise.
+#[inline(always)]
+fn wide_level<S: simd::Simd>(image: &TextureImage, sampler: &Sampler, level: &TextureLevel, linear: bool, p: &Position) -> Option<Texels> {
+    if S::LEVEL != Level::Avx2 || image.format != TexelFormat::Rgba8 || image.kind == TextureKind::D3 {
+        return None;
+    }
+    // A 1D image is a row: whatever t is, clamping it finds that row.
+    let wrap = [sampler.wrap[0], if image.kind == TextureKind::D1 { Wrap::ClampToEdge } else { sampler.wrap[1] }];
+    let layers = image.kind != TextureKind::Cube || level.depth >= 6;
+    #[cfg(target_arch = "x86_64")]
+    if layers && texture_wide::serves(level, wrap, linear) {
+        // SAFETY: the level is AVX2; a face is below 6, and 0 on other images.
+        return Some(unsafe { texture_wide::sample(level, wrap, linear, [&p.s, &p.t], &p.face) });
+    }
+    None
 }
 
 /// How a lane is filtered: from which level, with which filter, and how far towards the next level.
@@ -43,29 +159,20 @@ struct Choice {
     blend: f32,
 }
 
+/// Samples by any filter of any image.
 #[inline(always)]
-fn sample<const WIDE: bool>(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
-    let (image, sampler) = (&*binding.image, &binding.sampler);
-    let Some(base) = image.levels.first() else { return [[0.0; LANES], [0.0; LANES], [0.0; LANES], [1.0; LANES]] };
-    let position = match image.kind {
-        TextureKind::Cube => cube_position(coord),
-        _ => Position { s: coord[0], t: coord[1], r: coord[2], face: [0; LANES] },
-    };
-    let Some(gradients) = gradients else {
-        return sample_level::<WIDE>(image, sampler, base, sampler.mag_linear, &position);
-    };
-    let lambda = level_of_detail(image, sampler, base, coord, gradients, &position);
-    #[cfg(target_arch = "x86_64")]
-    if WIDE && image.format == TexelFormat::Rgba8 && image.kind == TextureKind::D2 && sampler.mag_linear && runs_on(sampler) {
-        // SAFETY: `WIDE` is true on processors with AVX2 only.
-        if let Some(texel) = unsafe { texture_wide::trilinear(&image.levels, [sampler.wrap[0], sampler.wrap[1]], coord, &lambda) } {
-            return texel;
-        }
-    }
+fn at_levels<S: simd::Simd>(
+    image: &TextureImage,
+    sampler: &Sampler,
+    base: &TextureLevel,
+    position: &Position,
+    lambda: Option<Lanes>,
+) -> [Lanes; 4] {
+    let Some(lambda) = lambda else { return sample_level::<S>(image, sampler, base, sampler.mag_linear, position) };
     let choices = lambda.map(|lambda| choose(image, sampler, lambda));
     let first = choices[0];
     if choices.iter().all(|c| (c.level, c.linear) == (first.level, first.linear)) {
-        return sample_choice::<WIDE>(image, sampler, first, choices.map(|c| c.blend), &position);
+        return sample_choice::<S>(image, sampler, first, choices.map(|c| c.blend), &position);
     }
     // Lanes that disagree (a quad each): every choice samples all lanes, and the lanes that made it take the result.
     let mut result = [[0.0; LANES]; 4];
@@ -75,7 +182,7 @@ fn sample<const WIDE: bool>(binding: &TextureBinding, coord: &[Lanes; 4], gradie
             continue;
         }
         let choice = choices[lane];
-        let texel = sample_choice::<WIDE>(image, sampler, choice, choices.map(|c| c.blend), &position);
+        let texel = sample_choice::<S>(image, sampler, choice, choices.map(|c| c.blend), &position);
         for other in lane..LANES {
             if (choices[other].level, choices[other].linear) == (choice.level, choice.linear) {
                 done[other] = true;
@@ -219,18 +326,12 @@ fn choose(image: &TextureImage, sampler: &Sampler, lambda: f32) -> Choice {
 
 /// Samples all lanes at one choice's level, and blends with the next level where a lane asks for it.
 #[inline(always)]
-fn sample_choice<const WIDE: bool>(
-    image: &TextureImage,
-    sampler: &Sampler,
-    choice: Choice,
-    blend: Lanes,
-    position: &Position,
-) -> [Lanes; 4] {
-    let mut near = sample_level::<WIDE>(image, sampler, &image.levels[choice.level], choice.linear, position);
+fn sample_choice<S: simd::Simd>(image: &TextureImage, sampler: &Sampler, choice: Choice, blend: Lanes, position: &Position) -> [Lanes; 4] {
+    let mut near = sample_level::<S>(image, sampler, &image.levels[choice.level], choice.linear, position);
     if let Some(next) = image.levels.get(choice.level + 1)
         && blend.iter().any(|b| *b != 0.0)
     {
-        let far = sample_level::<WIDE>(image, sampler, next, choice.linear, position);
+        let far = sample_level::<S>(image, sampler, next, choice.linear, position);
         for c in 0..4 {
             near[c] = lerp(&near[c], &far[c], &blend);
         }
@@ -245,18 +346,11 @@ fn lerp(a: &Lanes, b: &Lanes, t: &Lanes) -> Lanes {
 
 /// Samples one level with one filter.
 #[inline(always)]
-fn sample_level<const WIDE: bool>(image: &TextureImage, sampler: &Sampler, level: &TextureLevel, linear: bool, p: &Position) -> [Lanes; 4] {
+fn sample_level<S: simd::Simd>(image: &TextureImage, sampler: &Sampler, level: &TextureLevel, linear: bool, p: &Position) -> [Lanes; 4] {
     let (w, h, d) = (level.width as i32, level.height as i32, level.depth as i32);
     let flat = image.kind == TextureKind::D1;
-    #[cfg(target_arch = "x86_64")]
-    if WIDE && image.format == TexelFormat::Rgba8 && image.kind != TextureKind::D3 {
-        // A 1D image is a row: whatever t is, clamping it finds that row.
-        let wrap = [sampler.wrap[0], if flat { Wrap::ClampToEdge } else { sampler.wrap[1] }];
-        let layers = image.kind != TextureKind::Cube || level.depth >= 6;
-        if layers && texture_wide::serves(level, wrap, linear) {
-            // SAFETY: `WIDE` is true on processors with AVX2 only; a face is below 6, and 0 on other images.
-            return unsafe { texture_wide::sample(level, wrap, linear, &p.s, &p.t, &p.face) };
-        }
+    if let Some(texels) = wide_level::<S>(image, sampler, level, linear, p) {
+        return columns::<S>(&texels);
     }
     let fetch = Fetch { level, format: image.format, border: &sampler.border };
     if !linear {
