@@ -542,8 +542,7 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
             let fragments = &mut worker.fragments;
             for row in rows {
                 let source = Source { work: row.work, planes: row.planes, perspective: row.perspective };
-                let masks = if row.at & 8 == 0 { [row.mask, 0] } else { [0, row.mask] };
-                fragments.push::<S>(source, row.at & !8, masks, what.lod);
+                fragments.push::<S>(source, row.at & !8, row.mask << (row.at & 8), what.lod);
             }
             let color = Colors::Columns(&mut worker.results.color);
             modulate::run::<S>(scene, plan, what, binding, fragments, bin.origin, color);

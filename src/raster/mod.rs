@@ -13,6 +13,7 @@ pub mod fine;
 pub mod formats;
 mod interpolate;
 pub mod layout;
+mod lod;
 mod modulate;
 mod point_line;
 pub mod runs;

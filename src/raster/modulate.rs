@@ -89,9 +89,10 @@ impl Fragments {
         (self.count, self.quads, self.used) = (0, 0, 0);
     }
 
-    /// Lets fragments of two rows wait: `at` is the first pixel of the first row, which is an even one, `masks` say which pixels they are.
+    /// Lets fragments of two rows wait: `at` is the first pixel of the first row, which is an even one, the bytes of
+    /// `masks` say which pixels they are.
     #[inline(always)]
-    pub fn push<S: Simd>(&mut self, source: Source, at: u32, masks: [u32; 2], lod: bool) {
+    pub fn push<S: Simd>(&mut self, source: Source, at: u32, masks: u32, lod: bool) {
         if self.used == 0 || self.triangles[(self.used - 1) % FRAGMENTS] != source {
             self.triangles[self.used % FRAGMENTS] = source;
             self.used += 1;
@@ -99,15 +100,16 @@ impl Fragments {
         let triangle = [(self.used - 1) as u8; LANES];
         let mut quad = S::i(0);
         if lod {
-            let covered = masks[0] | masks[1];
+            let covered = masks | masks >> 8;
             let even = (covered | covered >> 1) & 0x55;
             S::store_u(S::iadd(S::set_lanes(even), S::i(at as i32)), eight_mut(&mut self.quad_at, self.quads));
             *eight_mut(&mut self.quad_triangle, self.quads) = triangle;
             quad = S::iadd(S::shr::<1>(S::ranks(3 * even)), S::i(self.quads as i32));
             self.quads += even.count_ones() as usize;
         }
-        for (k, mask) in masks.into_iter().enumerate() {
-            S::store_u(S::iadd(S::set_lanes(mask), S::i(at as i32 + 8 * k as i32)), eight_mut(&mut self.at, self.count));
+        for k in 0..2 {
+            let mask = masks >> (8 * k) & 0xff;
+            S::store_u(S::iadd(S::set_lanes(mask), S::i(at as i32 + 8 * k)), eight_mut(&mut self.at, self.count));
             *eight_mut(&mut self.triangle, self.count) = triangle;
             if lod {
                 S::store_u(S::pack(quad, mask), eight_mut(&mut self.quad, self.count));
@@ -219,8 +221,7 @@ pub fn run<S: Simd>(
     let mut lambdas = [0.0; FRAGMENTS];
     if what.lod {
         for first in (0..f.quads).step_by(LANES) {
-            let lambda = quad_lambdas::<S>(plan, binding, f, &blocks, first, origin);
-            *eight_mut(&mut lambdas, first) = lambda;
+            S::store(quad_lambdas::<S>(plan, binding, f, &blocks, first, origin), eight_mut(&mut lambdas, first));
         }
     }
     for first in (0..f.count).step_by(LANES) {
@@ -239,7 +240,8 @@ pub fn run<S: Simd>(
                 *lambda = lambdas[*quad as usize % FRAGMENTS];
             }
         }
-        let texels = texture::sample_flat::<S>(binding, coord, what.lod.then_some(lambda));
+        let mut texels = [[0.0; 4]; LANES];
+        texture::sample_flat::<S>(binding, coord, what.lod.then_some(lambda), &mut texels);
         let colors = product::<S>(plan, what, &group, here, w, &texels);
         match &mut to {
             Colors::Bytes => {
@@ -275,7 +277,7 @@ fn quad_lambdas<S: Simd>(
     blocks: &[&Block; FRAGMENTS],
     first: usize,
     origin: [i32; 2],
-) -> [f32; LANES] {
+) -> S::F {
     let group = Group::<S>::new(eight(&f.quad_triangle, first), blocks, &f.w);
     let planes = Coordinates::new(&group, plan.modes[0]);
     // The quad's first pixel, the next in x, the next in y.
@@ -284,12 +286,9 @@ fn quad_lambdas<S: Simd>(
     let here = planes.project([x0, y0], group.over_w([x0, y0]));
     let right = planes.project([x1, y0], group.over_w([x1, y0]));
     let down = planes.project([x0, y1], group.over_w([x0, y1]));
-    let mut gradients = [[[0.0; LANES]; 3]; 2];
-    for c in 0..2 {
-        S::store(S::sub(right[c], here[c]), &mut gradients[0][c]);
-        S::store(S::sub(down[c], here[c]), &mut gradients[1][c]);
-    }
-    texture::flat_lambda(binding, [&gradients[0], &gradients[1]])
+    let across = [S::sub(right[0], here[0]), S::sub(right[1], here[1])];
+    let along = [S::sub(down[0], here[0]), S::sub(down[1], here[1])];
+    texture::flat_lambda::<S>(binding, [across, along])
 }
 
 /// Colour times texel: of fragments k and k + 4, four components side by side.

@@ -1,7 +1,7 @@
 //! Eight lanes at a time: the vocabulary of the CPU executor's inner loops, with two spellings that give the same bits.
 //!
 //! A kernel is one generic function, marked `#[inline(always)]`; [`Level`] says which spelling it is instantiated
-//! with. The AVX2 spelling may only be reached through a function that enables `avx2,fma`, which `dispatch!` makes.
+//! with. The AVX2 spelling may only be reached through a function that enables `avx2,fma,popcnt`, which `dispatch!` makes.
 
 use std::sync::OnceLock;
 
@@ -446,7 +446,7 @@ impl Level {
         static BEST: OnceLock<Level> = OnceLock::new();
         *BEST.get_or_init(|| {
             #[cfg(target_arch = "x86_64")]
-            if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+            if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") && is_x86_feature_detected!("popcnt") {
                 return Level::Avx2;
             }
             Level::Scalar
@@ -483,7 +483,7 @@ macro_rules! dispatch {
         $vis fn $name $(<$($l),+>)? (level: $crate::raster::simd::Level, $($a: $t),*) $(-> $r)? {
             #[cfg(target_arch = "x86_64")]
             {
-                #[target_feature(enable = "avx2,fma")]
+                #[target_feature(enable = "avx2,fma,popcnt")]
                 fn wide $(<$($l),+>)? ($($a: $t),*) $(-> $r)? {
                     $kernel::<$crate::raster::simd::Avx2>($($a),*)
                 }

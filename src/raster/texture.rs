@@ -1,7 +1,6 @@
 //! Texture sampling (3.8.7, 3.8.8), the intrinsic `texture_sample` of programs: eight lanes at a time, exact f32 filtering.
-//!
-//! The level of detail is `log2(max(|d/dx|, |d/dy|))` in texels, the ideal function of equation 3.20.
 
+use super::lod::{self, runs_on};
 #[cfg(target_arch = "x86_64")]
 use super::simd::Avx2;
 use super::simd::{self, Level, Portable};
@@ -48,33 +47,32 @@ fn sample<S: simd::Simd>(binding: &TextureBinding, coord: &[Lanes; 4], gradients
         TextureKind::Cube => cube_position(coord),
         _ => Position { s: coord[0], t: coord[1], r: coord[2], face: [0; LANES] },
     };
-    let lambda = gradients.map(|gradients| level_of_detail(image, sampler, base, coord, gradients, &position));
-    if let Some(texels) = wide::<S>(image, sampler, base, &position, lambda.as_ref()) {
+    let lambda = gradients.map(|gradients| lod::group::<S>(image, sampler, base, coord, gradients, &position));
+    let mut texels = [[0.0; 4]; LANES];
+    if wide::<S>(image, sampler, base, &position, lambda.as_ref(), &mut texels) {
         return columns::<S>(&texels);
     }
     at_levels::<S>(image, sampler, base, &position, lambda)
 }
 
-/// λ of eight lanes on a flat image, from the derivatives of s, t (and of r, which does not count).
+/// λ of eight lanes on a flat image, from the derivatives of s and t in x and y.
 #[inline(always)]
-pub fn flat_lambda(binding: &TextureBinding, gradients: [&[Lanes; 3]; 2]) -> Lanes {
-    let position = Position { s: [0.0; LANES], t: [0.0; LANES], r: [0.0; LANES], face: [0; LANES] };
+pub fn flat_lambda<S: simd::Simd>(binding: &TextureBinding, gradients: [[S::F; 2]; 2]) -> S::F {
     match binding.image.levels.first() {
-        Some(base) => level_of_detail(&binding.image, &binding.sampler, base, &[[0.0; LANES]; 4], gradients, &position),
-        None => [0.0; LANES],
+        Some(base) => lod::flat::<S>(binding.image.kind, &binding.sampler, base, gradients),
+        None => S::f(0.0),
     }
 }
 
 /// Samples a flat image at s and t, with λ where a level of detail is wanted.
 #[inline(always)]
-pub fn sample_flat<S: simd::Simd>(binding: &TextureBinding, [s, t]: [Lanes; 2], lambda: Option<Lanes>) -> Texels {
+pub fn sample_flat<S: simd::Simd>(binding: &TextureBinding, [s, t]: [Lanes; 2], lambda: Option<Lanes>, to: &mut Texels) {
     let (image, sampler) = (&*binding.image, &binding.sampler);
-    let Some(base) = image.levels.first() else { return rows(&NOTHING) };
+    let Some(base) = image.levels.first() else { return *to = rows(&NOTHING) };
     let position = Position { s, t, r: [0.0; LANES], face: [0; LANES] };
-    if let Some(texels) = wide::<S>(image, sampler, base, &position, lambda.as_ref()) {
-        return texels;
+    if !wide::<S>(image, sampler, base, &position, lambda.as_ref(), to) {
+        *to = rows(&at_levels_at(S::LEVEL, image, sampler, base, &position, lambda));
     }
-    rows(&at_levels_at(S::LEVEL, image, sampler, base, &position, lambda))
 }
 
 crate::dispatch! {
@@ -106,7 +104,7 @@ fn columns<S: simd::Simd>(rows: &Texels) -> [Lanes; 4] {
     columns
 }
 
-/// The commonest filters, where the processor has AVX2; `None` for others.
+/// The commonest filters, where the processor has AVX2; false for others.
 #[inline(always)]
 fn wide<S: simd::Simd>(
     image: &TextureImage,
@@ -114,9 +112,10 @@ fn wide<S: simd::Simd>(
     base: &TextureLevel,
     p: &Position,
     lambda: Option<&Lanes>,
-) -> Option<Texels> {
+    to: &mut Texels,
+) -> bool {
     match lambda {
-        None => wide_level::<S>(image, sampler, base, sampler.mag_linear, p),
+        None => wide_level::<S>(image, sampler, base, sampler.mag_linear, p, to),
         Some(lambda) => {
             let trilinear = S::LEVEL == Level::Avx2
                 && image.format == TexelFormat::Rgba8
@@ -126,18 +125,25 @@ fn wide<S: simd::Simd>(
             #[cfg(target_arch = "x86_64")]
             if trilinear {
                 // SAFETY: the level is AVX2.
-                return unsafe { texture_wide::trilinear(&image.levels, [sampler.wrap[0], sampler.wrap[1]], [&p.s, &p.t], lambda) };
+                return unsafe { texture_wide::trilinear(&image.levels, [sampler.wrap[0], sampler.wrap[1]], [&p.s, &p.t], lambda, to) };
             }
-            None
+            false
         }
     }
 }
 
 /// [`sample_level`] likewise.
 #[inline(always)]
-fn wide_level<S: simd::Simd>(image: &TextureImage, sampler: &Sampler, level: &TextureLevel, linear: bool, p: &Position) -> Option<Texels> {
+fn wide_level<S: simd::Simd>(
+    image: &TextureImage,
+    sampler: &Sampler,
+    level: &TextureLevel,
+    linear: bool,
+    p: &Position,
+    to: &mut Texels,
+) -> bool {
     if S::LEVEL != Level::Avx2 || image.format != TexelFormat::Rgba8 || image.kind == TextureKind::D3 {
-        return None;
+        return false;
     }
     // A 1D image is a row: whatever t is, clamping it finds that row.
     let wrap = [sampler.wrap[0], if image.kind == TextureKind::D1 { Wrap::ClampToEdge } else { sampler.wrap[1] }];
@@ -145,9 +151,10 @@ fn wide_level<S: simd::Simd>(image: &TextureImage, sampler: &Sampler, level: &Te
     #[cfg(target_arch = "x86_64")]
     if layers && texture_wide::serves(level, wrap, linear) {
         // SAFETY: the level is AVX2; a face is below 6, and 0 on other images.
-        return Some(unsafe { texture_wide::sample(level, wrap, linear, [&p.s, &p.t], &p.face) });
+        unsafe { texture_wide::sample(level, wrap, linear, [&p.s, &p.t], &p.face, to) };
+        return true;
     }
-    None
+    false
 }
 
 /// How a lane is filtered: from which level, with which filter, and how far towards the next level.
@@ -196,11 +203,15 @@ fn at_levels<S: simd::Simd>(
 }
 
 /// Where the lanes sample: coordinates on the image (or on a cube's face).
-struct Position {
-    s: Lanes,
-    t: Lanes,
-    r: Lanes,
-    face: Indices,
+pub struct Position {
+    /// Coordinates.
+    pub s: Lanes,
+    /// See `s`.
+    pub t: Lanes,
+    /// See `s`.
+    pub r: Lanes,
+    /// A cube's face.
+    pub face: Indices,
 }
 
 /// Table 3.19: the face of the largest component, and the coordinates on it.
@@ -227,7 +238,8 @@ fn major_face([x, y, z]: [f32; 3]) -> usize {
     }
 }
 
-fn on_face(face: usize, [x, y, z]: [f32; 3]) -> [f32; 2] {
+/// Coordinates on a cube's face.
+pub fn on_face(face: usize, [x, y, z]: [f32; 3]) -> [f32; 2] {
     let (sc, tc, ma) = match face {
         0 => (-z, -y, x),
         1 => (z, -y, x),
@@ -237,66 +249,6 @@ fn on_face(face: usize, [x, y, z]: [f32; 3]) -> [f32; 2] {
         _ => (-x, -y, z),
     };
     [0.5 * (sc / ma.abs() + 1.0), 0.5 * (tc / ma.abs() + 1.0)]
-}
-
-/// λ of every lane, biased and clamped (3.8.8).
-#[inline(always)]
-fn level_of_detail(
-    image: &TextureImage,
-    sampler: &Sampler,
-    base: &TextureLevel,
-    coord: &[Lanes; 4],
-    gradients: [&[Lanes; 3]; 2],
-    position: &Position,
-) -> Lanes {
-    let size = [base.width as f32, base.height as f32, base.depth as f32];
-    // Loops, not `map`: closures for it are compiled for the baseline, outside of the functions of a level.
-    let mut rho2 = [0.0f32; LANES];
-    for gradient in gradients {
-        // One loop a kind, so that each becomes vector instructions.
-        let square: Lanes = match image.kind {
-            TextureKind::D1 => std::array::from_fn(|i| (gradient[0][i] * size[0]) * (gradient[0][i] * size[0])),
-            TextureKind::D2 => std::array::from_fn(|i| {
-                let d = [gradient[0][i] * size[0], gradient[1][i] * size[1]];
-                d[0] * d[0] + d[1] * d[1]
-            }),
-            TextureKind::D3 => std::array::from_fn(|i| {
-                let d = [gradient[0][i] * size[0], gradient[1][i] * size[1], gradient[2][i] * size[2]];
-                d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
-            }),
-            TextureKind::Cube => std::array::from_fn(|i| {
-                let next = [0, 1, 2].map(|c| coord[c][i] + gradient[c][i]);
-                let [s, t] = on_face(position.face[i] as usize, next);
-                let d = [(s - position.s[i]) * size[0], (t - position.t[i]) * size[1]];
-                d[0] * d[0] + d[1] * d[1]
-            }),
-        };
-        for i in 0..LANES {
-            rho2[i] = math::max(rho2[i], square[i]);
-        }
-    }
-    // Where the colour runs on from level to level without a jump, the logarithm need not be exact to the last bit.
-    let mut log2 = [0.0; LANES];
-    if runs_on(sampler) {
-        for i in 0..LANES {
-            log2[i] = math::log2_near(rho2[i]);
-        }
-    } else {
-        for i in 0..LANES {
-            log2[i] = math::log2(rho2[i]);
-        }
-    }
-    let mut lambda = [0.0; LANES];
-    for i in 0..LANES {
-        let biased = 0.5 * log2[i] + sampler.lod_bias;
-        lambda[i] = math::min(math::max(biased, sampler.lod_range[0]), sampler.lod_range[1]);
-    }
-    lambda
-}
-
-/// Levels are blended, and one filter serves magnification and minification.
-fn runs_on(sampler: &Sampler) -> bool {
-    sampler.mip_linear == Some(true) && sampler.mag_linear == sampler.min_linear
 }
 
 /// Magnification or minification, and which levels (3.8.8, 3.8.9).
@@ -349,7 +301,8 @@ fn lerp(a: &Lanes, b: &Lanes, t: &Lanes) -> Lanes {
 fn sample_level<S: simd::Simd>(image: &TextureImage, sampler: &Sampler, level: &TextureLevel, linear: bool, p: &Position) -> [Lanes; 4] {
     let (w, h, d) = (level.width as i32, level.height as i32, level.depth as i32);
     let flat = image.kind == TextureKind::D1;
-    if let Some(texels) = wide_level::<S>(image, sampler, level, linear, p) {
+    let mut texels = [[0.0; 4]; LANES];
+    if wide_level::<S>(image, sampler, level, linear, p, &mut texels) {
         return columns::<S>(&texels);
     }
     let fetch = Fetch { level, format: image.format, border: &sampler.border };

@@ -30,17 +30,17 @@ fn is_whole(level: &TextureLevel) -> bool {
     texels > 0 && texels < 1 << 31 && level.texels.len() as u64 >= texels
 }
 
-/// Bilinear filtering on the two levels around each lane's λ, blended. `None` where this cannot be done here.
+/// Bilinear filtering on the two levels around each lane's λ, blended; false where this cannot be done here.
 ///
 /// # Safety
 /// The processor must have AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-pub unsafe fn trilinear(levels: &[TextureLevel], wrap: [Wrap; 2], [s, t]: [&Lanes; 2], lambda: &Lanes) -> Option<Texels> {
-    let base = levels.first()?;
+pub unsafe fn trilinear(levels: &[TextureLevel], wrap: [Wrap; 2], [s, t]: [&Lanes; 2], lambda: &Lanes, rows: &mut Texels) -> bool {
+    let Some(base) = levels.first() else { return false };
     let last = levels.len() - 1;
     if !wrap.into_iter().all(|w| stays_inside(w, true)) {
-        return None;
+        return false;
     }
     // SAFETY: eight lanes are 32 bytes.
     let (s, t, lambda) = unsafe { (_mm256_loadu_ps(s.as_ptr()), _mm256_loadu_ps(t.as_ptr()), _mm256_loadu_ps(lambda.as_ptr())) };
@@ -64,20 +64,19 @@ pub unsafe fn trilinear(levels: &[TextureLevel], wrap: [Wrap; 2], [s, t]: [&Lane
         let level = &levels[k];
         let (width, height) = ((base.width >> (k & 31)).max(1), (base.height >> (k & 31)).max(1));
         if k > 31 || level.width != width || level.height != height || !is_whole(level) {
-            return None;
+            return false;
         }
         texels[k] = level.texels.as_ptr();
     }
     let size = |level: __m256i, size: u32| _mm256_max_epi32(_mm256_srlv_epi32(_mm256_set1_epi32(size as i32), level), _mm256_set1_epi32(1));
     let around = |level| Around::new([size(level, base.width), size(level, base.height)], _mm256_setzero_si256(), wrap, [s, t]);
-    let mut rows = [[0.0; 4]; LANES];
     let near = around(near);
     if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_NEQ_UQ>(blend, _mm256_setzero_ps())) == 0 {
         for (lane, row) in rows.iter_mut().enumerate() {
             // SAFETY: the levels from `first` to `end`, among which those of all lanes are, were checked just now.
             unsafe { _mm_storeu_ps(row.as_mut_ptr(), near.filtered(lane, texels[near_of[lane] as usize & 31])) };
         }
-        return Some(rows);
+        return true;
     }
     let far = around(far);
     for (lane, row) in rows.iter_mut().enumerate() {
@@ -88,7 +87,7 @@ pub unsafe fn trilinear(levels: &[TextureLevel], wrap: [Wrap; 2], [s, t]: [&Lane
             _mm_storeu_ps(row.as_mut_ptr(), lerp(low, high, _mm_set1_ps(blends[lane])));
         }
     }
-    Some(rows)
+    true
 }
 
 /// The four texels around each of eight lanes.
@@ -133,21 +132,20 @@ impl Around {
 /// [`serves`] holds, and `layer` is below the level's depth. The processor must have AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-pub unsafe fn sample(level: &TextureLevel, wrap: [Wrap; 2], linear: bool, [s, t]: [&Lanes; 2], layer: &[i32; LANES]) -> Texels {
+pub unsafe fn sample(level: &TextureLevel, wrap: [Wrap; 2], linear: bool, [s, t]: [&Lanes; 2], layer: &[i32; LANES], rows: &mut Texels) {
     let (w, h) = (level.width as i32, level.height as i32);
     // SAFETY: eight lanes are 32 bytes.
     let (s, t, z) = unsafe { (_mm256_loadu_ps(s.as_ptr()), _mm256_loadu_ps(t.as_ptr()), _mm256_loadu_si256(layer.as_ptr().cast())) };
     let size = [_mm256_set1_epi32(w), _mm256_set1_epi32(h)];
     let first = _mm256_mullo_epi32(z, size[1]);
     let texels = level.texels.as_ptr();
-    let mut rows = [[0.0; 4]; LANES];
     if linear {
         let around = Around::new(size, first, wrap, [s, t]);
         for (lane, row) in rows.iter_mut().enumerate() {
             // SAFETY: the layer is below the depth, and `serves` checked that the texels exist.
             unsafe { _mm_storeu_ps(row.as_mut_ptr(), around.filtered(lane, texels)) };
         }
-        return rows;
+        return;
     }
     let y = _mm256_add_epi32(first, nearest(t, h, wrap[1]));
     let at = indices(_mm256_add_epi32(_mm256_mullo_epi32(y, size[0]), nearest(s, w, wrap[0])));
@@ -158,7 +156,6 @@ pub unsafe fn sample(level: &TextureLevel, wrap: [Wrap; 2], linear: bool, [s, t]
             _mm_storeu_ps(row.as_mut_ptr(), _mm_mul_ps(texel, _mm_set1_ps(1.0 / 255.0)));
         }
     }
-    rows
 }
 
 /// A texel's components, from 0 to 255.

@@ -27,7 +27,7 @@ pub fn tile<S: Simd, const MODE: u32>(
     let x = S::add(S::f(place[0] as f32), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
     let depth = DepthRow::<S>::new(planes, x);
     let mut touched = false;
-    let mut masks = [0; 2];
+    let mut masks = 0;
     for row in first..=last {
         let mut outside = edges.next();
         if allowed != FULL {
@@ -42,16 +42,16 @@ pub fn tile<S: Simd, const MODE: u32>(
                 covered = !S::signs(outside) & 0xff;
             }
         }
-        masks[row as usize & 1] = covered;
+        masks |= covered << (8 * (row & 1));
         // Rows of a quad go together.
         if row & 1 == 1 || row == last {
-            if masks != [0; 2] {
+            if masks != 0 {
                 fragments.push::<S>(source, (at + (row as usize & !1) * 8) as u32, masks, lod);
                 if fragments.crowded() {
                     flush::<S>(fragments, scene, draw, bin);
                 }
             }
-            masks = [0; 2];
+            masks = 0;
         }
     }
     touched
