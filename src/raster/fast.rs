@@ -101,9 +101,7 @@ impl<'a, S: Simd> DepthRow<'a, S> {
         let old = S::load_u(words);
         let old_z = S::and(old, S::i(0xff_ffff));
         let outside = S::or(outside, S::xor(S::gt(S::iadd(old_z, S::i(plan.depth_bias)), z), S::i(-1)));
-        if S::signs(outside) != 0xff {
-            S::store_u(S::select(outside, old, S::or(S::andnot(S::i(0xff_ffff), old), z)), words);
-        }
+        S::store_u(S::select(outside, old, S::or(S::andnot(S::i(0xff_ffff), old), z)), words);
         outside
     }
 }

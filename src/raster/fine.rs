@@ -354,7 +354,9 @@ fn tiles<S: Simd, const MODE: u32>(
     for ty in extent.tiles(extent.rows) {
         let (first, last) = extent.rows_of(ty);
         for tx in extent.tiles(extent.columns) {
-            let Some(edges) = local.rows(tx * 8, ty * 8, first) else { continue };
+            // Rows of a quad go together where there is a texture.
+            let from = if MODE & fast::TEXTURE != 0 { first & !1 } else { first };
+            let Some(edges) = local.rows(tx * 8, ty * 8, from) else { continue };
             let allowed = extent.allowed(scene, plan, t, tx, ty);
             let full = edges.full && allowed == FULL;
             let tile = ((ty * 8 + tx) * 64) as usize;

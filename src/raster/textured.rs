@@ -27,31 +27,31 @@ pub fn tile<S: Simd, const MODE: u32>(
     let x = S::add(S::f(place[0] as f32), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
     let depth = DepthRow::<S>::new(planes, x);
     let mut touched = false;
-    let mut masks = 0;
-    for row in first..=last {
-        let mut outside = edges.next();
+    // Two rows at a time, those of a quad: neither waits for the other, and rows beyond the triangle's are just not covered.
+    for row in (first & !1..=last).step_by(2) {
+        let mut outside = [edges.next(), edges.next()];
         if allowed != FULL {
-            outside = S::or(outside, S::mask(!(allowed >> (8 * row)) as u32));
-        }
-        let mut covered = !S::signs(outside) & 0xff;
-        if covered != 0 {
-            touched = true;
-            if MODE & DEPTH != 0 {
-                let y = S::f((place[1] + row) as f32);
-                outside = depth.test(plan, y, outside, row8(bin.depth_stencil, at + row as usize * 8));
-                covered = !S::signs(outside) & 0xff;
+            for k in 0..2 {
+                outside[k] = S::or(outside[k], S::mask(!(allowed >> (8 * row + 8 * k as i32)) as u32));
             }
         }
-        masks |= covered << (8 * (row & 1));
-        // Rows of a quad go together.
-        if row & 1 == 1 || row == last {
-            if masks != 0 {
-                fragments.push::<S>(source, (at + (row as usize & !1) * 8) as u32, masks, lod);
-                if fragments.crowded() {
-                    flush::<S>(fragments, scene, draw, bin);
-                }
+        if (S::signs(outside[0]) & S::signs(outside[1])) == 0xff {
+            continue;
+        }
+        touched = true;
+        let pixel = at + row as usize * 8;
+        if MODE & DEPTH != 0 {
+            for k in 0..2 {
+                let y = S::f((place[1] + row + k as i32) as f32);
+                outside[k] = depth.test(plan, y, outside[k], row8(bin.depth_stencil, pixel + 8 * k));
             }
-            masks = 0;
+        }
+        let masks = !(S::signs(outside[0]) | S::signs(outside[1]) << 8) & 0xffff;
+        if masks != 0 {
+            fragments.push::<S>(source, pixel as u32, masks, lod);
+            if fragments.crowded() {
+                flush::<S>(fragments, scene, draw, bin);
+            }
         }
     }
     touched
