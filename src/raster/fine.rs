@@ -10,6 +10,7 @@ use super::modulate::{Colors, Fragments, Source};
 use super::setup::Chunk;
 use super::simd::{Simd, eight, prefetch};
 use super::store::BinPixels;
+use super::texture::Prepared;
 use super::tile::{FULL, LocalEdges, rectangle_mask};
 use super::write::{Color, write};
 use super::{blend, clear, depth_stencil, fast, modulate, samples, textured};
@@ -301,20 +302,29 @@ pub struct Extent {
     pub columns: (i32, i32),
     /// See `columns`.
     pub rows: (i32, i32),
+    /// Not all pixels that are covered may be drawn.
+    limited: bool,
 }
 
 impl Extent {
     /// Of a triangle in a bin.
     #[inline(always)]
-    pub fn new(t: &Triangle, bin: &BinPixels) -> Extent {
+    pub fn new(plan: &Plan, t: &Triangle, bin: &BinPixels) -> Extent {
+        let stippled = plan.stipple.is_some() && t.flags & triangle_flags::POLYGON != 0;
         let within = |span: u32, first: i32| ((span & 0xffff) as i32 - first, (span >> 16) as i32 - first);
-        Extent { origin: bin.origin, columns: within(t.columns, bin.origin[0]), rows: within(t.rows, bin.origin[1]) }
+        Extent {
+            origin: bin.origin,
+            columns: within(t.columns, bin.origin[0]),
+            rows: within(t.rows, bin.origin[1]),
+            limited: stippled || t.flags & triangle_flags::CUT != 0,
+        }
     }
 
     /// The tiles that columns or rows lie in.
     #[inline(always)]
-    pub fn tiles(&self, (first, last): (i32, i32)) -> std::ops::RangeInclusive<i32> {
-        first.max(0) / 8..=last.min(63) / 8
+    pub fn tiles(&self, (first, last): (i32, i32)) -> std::ops::Range<i32> {
+        // Shifts: a last one before the first tile is none.
+        first.max(0) >> 3..(last.min(63) >> 3) + 1
     }
 
     /// First and last row of a row of tiles.
@@ -327,6 +337,9 @@ impl Extent {
     #[inline(always)]
     pub fn allowed(&self, scene: &Scene, plan: &Plan, t: &Triangle, tx: i32, ty: i32) -> u64 {
         let mut allowed = FULL;
+        if !self.limited {
+            return allowed;
+        }
         if t.flags & triangle_flags::CUT != 0 {
             allowed &= rectangle_mask(tx * 8, ty * 8, self.columns, self.rows);
         }
@@ -349,7 +362,7 @@ fn tiles<S: Simd, const MODE: u32>(
     bin: &mut BinPixels,
 ) {
     let [ox, oy] = bin.origin;
-    let extent = Extent::new(t, bin);
+    let extent = Extent::new(plan, t, bin);
     let source = Source { work: worker.work, planes: t.planes, perspective: t.flags & triangle_flags::PERSPECTIVE != 0 };
     for ty in extent.tiles(extent.rows) {
         let (first, last) = extent.rows_of(ty);
@@ -547,7 +560,7 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
                 fragments.push::<S>(source, row.at & !8, row.mask << (row.at & 8), what.lod);
             }
             let color = Colors::Columns(&mut worker.results.color);
-            modulate::run::<S>(scene, plan, what, binding, fragments, bin.origin, color);
+            modulate::run::<S>(scene, plan, what, &Prepared::new(binding), fragments, bin.origin, color);
             fragments.clear();
         }
         _ => {

@@ -7,8 +7,7 @@
 use super::fine::{Plan, Scene};
 use super::layout::*;
 use super::simd::{Simd, eight, eight_mut};
-use super::texture;
-use crate::draw::texture::TextureBinding;
+use super::texture::{Prepared, Texels};
 use crate::program::Modulate;
 use crate::program::lanes::{Column4, LANES};
 
@@ -204,15 +203,7 @@ pub enum Colors<'a> {
 
 /// Colours of all fragments of a bin whose first pixel is at `origin`.
 #[inline(always)]
-pub fn run<S: Simd>(
-    scene: &Scene,
-    plan: &Plan,
-    what: Modulate,
-    binding: &TextureBinding,
-    f: &mut Fragments,
-    origin: [i32; 2],
-    mut to: Colors,
-) {
+pub fn run<S: Simd>(scene: &Scene, plan: &Plan, what: Modulate, texture: &Prepared, f: &mut Fragments, origin: [i32; 2], mut to: Colors) {
     let mut blocks: [&Block; FRAGMENTS] = [&[[0.0; 4]; BLOCK]; FRAGMENTS];
     for ((source, block), w) in f.triangles.iter().zip(&mut blocks).zip(&mut f.w).take(f.used) {
         *block = scene.planes(source.work, source.planes).first_chunk().expect("two varyings");
@@ -221,7 +212,7 @@ pub fn run<S: Simd>(
     let mut lambdas = [0.0; FRAGMENTS];
     if what.lod {
         for first in (0..f.quads).step_by(LANES) {
-            S::store(quad_lambdas::<S>(plan, binding, f, &blocks, first, origin), eight_mut(&mut lambdas, first));
+            S::store(quad_lambdas::<S>(plan, texture, f, &blocks, first, origin), eight_mut(&mut lambdas, first));
         }
     }
     for first in (0..f.count).step_by(LANES) {
@@ -241,7 +232,7 @@ pub fn run<S: Simd>(
             }
         }
         let mut texels = [[0.0; 4]; LANES];
-        texture::sample_flat::<S>(binding, coord, what.lod.then_some(lambda), &mut texels);
+        texture.flat::<S>(coord, what.lod.then_some(lambda), &mut texels);
         let colors = product::<S>(plan, what, &group, here, w, &texels);
         match &mut to {
             Colors::Bytes => {
@@ -272,7 +263,7 @@ pub fn run<S: Simd>(
 #[inline(always)]
 fn quad_lambdas<S: Simd>(
     plan: &Plan,
-    binding: &TextureBinding,
+    texture: &Prepared,
     f: &Fragments,
     blocks: &[&Block; FRAGMENTS],
     first: usize,
@@ -288,12 +279,12 @@ fn quad_lambdas<S: Simd>(
     let down = planes.project([x0, y1], group.over_w([x0, y1]));
     let across = [S::sub(right[0], here[0]), S::sub(right[1], here[1])];
     let along = [S::sub(down[0], here[0]), S::sub(down[1], here[1])];
-    texture::flat_lambda::<S>(binding, [across, along])
+    texture.flat_lambda::<S>([across, along])
 }
 
 /// Colour times texel: of fragments k and k + 4, four components side by side.
 #[inline(always)]
-fn product<S: Simd>(plan: &Plan, what: Modulate, group: &Group<S>, here: [S::F; 2], w: S::F, texels: &texture::Texels) -> [S::F; 4] {
+fn product<S: Simd>(plan: &Plan, what: Modulate, group: &Group<S>, here: [S::F; 2], w: S::F, texels: &Texels) -> [S::F; 4] {
     let mode = plan.modes[1];
     let (mut x, mut y, mut over) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     S::store(here[0], &mut x);

@@ -59,7 +59,7 @@ pub fn tiles<S: Simd>(
             *edges = centre.sample(at);
         }
     }
-    let extent = Extent::new(t, bin);
+    let extent = Extent::new(plan, t, bin);
     for ty in extent.tiles(extent.rows) {
         let (first, last) = extent.rows_of(ty);
         for tx in extent.tiles(extent.columns) {

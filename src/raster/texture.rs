@@ -1,11 +1,9 @@
 //! Texture sampling (3.8.7, 3.8.8), the intrinsic `texture_sample` of programs: eight lanes at a time, exact f32 filtering.
 
 use super::lod::{self, runs_on};
+use super::simd::{self, Level};
 #[cfg(target_arch = "x86_64")]
-use super::simd::Avx2;
-use super::simd::{self, Level, Portable};
-#[cfg(target_arch = "x86_64")]
-use super::texture_wide;
+use super::texture_wide::{self, Pyramid};
 use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
 use crate::program::lanes::{LANES, Simd, math};
 
@@ -18,30 +16,80 @@ const BORDER: i32 = -1;
 /// Four components of eight lanes, lane by lane.
 pub type Texels = [[f32; 4]; LANES];
 
-/// Samples one group of lanes: `coord` is s, t, r and an unused fourth; `gradients` the derivatives of s, t, r in x and y
-/// of the raster, absent where no level of detail is wanted.
-pub fn sample_group(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>, level: Simd) -> [Lanes; 4] {
-    match level {
-        Simd::Scalar => sample::<Portable>(binding, coord, gradients),
-        // SAFETY: `Simd::Avx2` exists only where the processor has AVX2 and FMA.
+/// A texture that is about to be sampled often.
+pub struct Prepared<'a> {
+    image: &'a TextureImage,
+    sampler: &'a Sampler,
+    /// For the commonest filter between levels.
+    #[cfg(target_arch = "x86_64")]
+    pyramid: Option<Pyramid<'a>>,
+}
+
+impl<'a> Prepared<'a> {
+    /// Looks at what does not change from sample to sample.
+    pub fn new(binding: &'a TextureBinding) -> Prepared<'a> {
+        let (image, sampler) = (&*binding.image, &binding.sampler);
+        Prepared {
+            image,
+            sampler,
+            #[cfg(target_arch = "x86_64")]
+            pyramid: (image.format == TexelFormat::Rgba8 && image.kind == TextureKind::D2 && sampler.mag_linear && runs_on(sampler))
+                .then(|| Pyramid::new(&image.levels, [sampler.wrap[0], sampler.wrap[1]]))
+                .flatten(),
+        }
+    }
+
+    /// Samples one group of lanes: `coord` is s, t, r and an unused fourth; `gradients` the derivatives of s, t, r in x and y
+    /// of the raster, absent where no level of detail is wanted.
+    pub fn group(&self, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>, level: Simd) -> [Lanes; 4] {
+        let level = if level == Simd::Scalar { Level::Scalar } else { Level::Avx2 };
+        group_at(level, self, coord, gradients)
+    }
+
+    /// λ of eight lanes on a flat image, from the derivatives of s and t in x and y.
+    #[inline(always)]
+    pub fn flat_lambda<S: simd::Simd>(&self, gradients: [[S::F; 2]; 2]) -> S::F {
+        match self.image.levels.first() {
+            Some(base) => lod::flat::<S>(self.image.kind, self.sampler, base, gradients),
+            None => S::f(0.0),
+        }
+    }
+
+    /// Samples a flat image at s and t, with λ where a level of detail is wanted.
+    #[inline(always)]
+    pub fn flat<S: simd::Simd>(&self, [s, t]: [Lanes; 2], lambda: Option<Lanes>, to: &mut Texels) {
+        let Some(base) = self.image.levels.first() else { return *to = rows(&NOTHING) };
+        let position = Position { s, t, r: [0.0; LANES], face: [0; LANES] };
+        if !self.wide::<S>(base, &position, lambda.as_ref(), to) {
+            *to = rows(&at_levels_at(S::LEVEL, self.image, self.sampler, base, &position, lambda));
+        }
+    }
+
+    /// The commonest filters, where the processor has AVX2; false for others.
+    #[inline(always)]
+    fn wide<S: simd::Simd>(&self, base: &TextureLevel, p: &Position, lambda: Option<&Lanes>, to: &mut Texels) -> bool {
+        let Some(lambda) = lambda else { return wide_level::<S>(self.image, self.sampler, base, self.sampler.mag_linear, p, to) };
         #[cfg(target_arch = "x86_64")]
-        Simd::Avx2 => unsafe { sample_avx2(binding, coord, gradients) },
-        #[cfg(not(target_arch = "x86_64"))]
-        Simd::Avx2 => sample::<Portable>(binding, coord, gradients),
+        if S::LEVEL == Level::Avx2
+            && let Some(pyramid) = &self.pyramid
+        {
+            // SAFETY: the level is AVX2.
+            unsafe { pyramid.trilinear([&p.s, &p.t], lambda, to) };
+            return true;
+        }
+        let _ = lambda;
+        false
     }
 }
 
-/// # Safety
-/// The processor must have AVX2 and FMA.
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-unsafe fn sample_avx2(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
-    sample::<Avx2>(binding, coord, gradients)
+crate::dispatch! {
+    /// [`Prepared::group`] at a level.
+    fn group_at = sample<'a>(texture: &Prepared<'a>, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4]
 }
 
 #[inline(always)]
-fn sample<S: simd::Simd>(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
-    let (image, sampler) = (&*binding.image, &binding.sampler);
+fn sample<S: simd::Simd>(texture: &Prepared, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
+    let (image, sampler) = (texture.image, texture.sampler);
     let Some(base) = image.levels.first() else { return NOTHING };
     let position = match image.kind {
         TextureKind::Cube => cube_position(coord),
@@ -49,30 +97,10 @@ fn sample<S: simd::Simd>(binding: &TextureBinding, coord: &[Lanes; 4], gradients
     };
     let lambda = gradients.map(|gradients| lod::group::<S>(image, sampler, base, coord, gradients, &position));
     let mut texels = [[0.0; 4]; LANES];
-    if wide::<S>(image, sampler, base, &position, lambda.as_ref(), &mut texels) {
+    if texture.wide::<S>(base, &position, lambda.as_ref(), &mut texels) {
         return columns::<S>(&texels);
     }
     at_levels::<S>(image, sampler, base, &position, lambda)
-}
-
-/// λ of eight lanes on a flat image, from the derivatives of s and t in x and y.
-#[inline(always)]
-pub fn flat_lambda<S: simd::Simd>(binding: &TextureBinding, gradients: [[S::F; 2]; 2]) -> S::F {
-    match binding.image.levels.first() {
-        Some(base) => lod::flat::<S>(binding.image.kind, &binding.sampler, base, gradients),
-        None => S::f(0.0),
-    }
-}
-
-/// Samples a flat image at s and t, with λ where a level of detail is wanted.
-#[inline(always)]
-pub fn sample_flat<S: simd::Simd>(binding: &TextureBinding, [s, t]: [Lanes; 2], lambda: Option<Lanes>, to: &mut Texels) {
-    let (image, sampler) = (&*binding.image, &binding.sampler);
-    let Some(base) = image.levels.first() else { return *to = rows(&NOTHING) };
-    let position = Position { s, t, r: [0.0; LANES], face: [0; LANES] };
-    if !wide::<S>(image, sampler, base, &position, lambda.as_ref(), to) {
-        *to = rows(&at_levels_at(S::LEVEL, image, sampler, base, &position, lambda));
-    }
 }
 
 crate::dispatch! {
@@ -104,35 +132,7 @@ fn columns<S: simd::Simd>(rows: &Texels) -> [Lanes; 4] {
     columns
 }
 
-/// The commonest filters, where the processor has AVX2; false for others.
-#[inline(always)]
-fn wide<S: simd::Simd>(
-    image: &TextureImage,
-    sampler: &Sampler,
-    base: &TextureLevel,
-    p: &Position,
-    lambda: Option<&Lanes>,
-    to: &mut Texels,
-) -> bool {
-    match lambda {
-        None => wide_level::<S>(image, sampler, base, sampler.mag_linear, p, to),
-        Some(lambda) => {
-            let trilinear = S::LEVEL == Level::Avx2
-                && image.format == TexelFormat::Rgba8
-                && image.kind == TextureKind::D2
-                && sampler.mag_linear
-                && runs_on(sampler);
-            #[cfg(target_arch = "x86_64")]
-            if trilinear {
-                // SAFETY: the level is AVX2.
-                return unsafe { texture_wide::trilinear(&image.levels, [sampler.wrap[0], sampler.wrap[1]], [&p.s, &p.t], lambda, to) };
-            }
-            false
-        }
-    }
-}
-
-/// [`sample_level`] likewise.
+/// One level, where the processor has AVX2; false for what is not common.
 #[inline(always)]
 fn wide_level<S: simd::Simd>(
     image: &TextureImage,
@@ -460,7 +460,7 @@ mod tests {
     }
 
     fn at(binding: &TextureBinding, s: f32, t: f32) -> [f32; 4] {
-        let texel = sample_group(binding, &[[s; LANES], [t; LANES], [0.0; LANES], [0.0; LANES]], None, Simd::Scalar);
+        let texel = Prepared::new(binding).group(&[[s; LANES], [t; LANES], [0.0; LANES], [0.0; LANES]], None, Simd::Scalar);
         [0, 1, 2, 3].map(|c| texel[c][3])
     }
 
@@ -514,7 +514,7 @@ mod tests {
         let coord = [[0.1; LANES], [0.1; LANES], [0.0; LANES], [0.0; LANES]];
         let slope = 2.0f32.powf(0.5) / 4.0;
         let (dx, dy) = ([[slope; LANES], [0.0; LANES], [0.0; LANES]], [[0.0; LANES]; 3]);
-        let got = sample_group(&b, &coord, Some([&dx, &dy]), Simd::Scalar)[0][0];
+        let got = Prepared::new(&b).group(&coord, Some([&dx, &dy]), Simd::Scalar)[0][0];
         let level = |l: usize| (b.image.levels[l].texels[0] & 255) as f32 / 255.0;
         assert!((got - 0.5 * (level(0) + level(1))).abs() < 1e-4, "{got}");
     }
@@ -526,7 +526,7 @@ mod tests {
         let coord = [[0.1; LANES], [0.1; LANES], [0.0; LANES], [0.0; LANES]];
         let slopes: Lanes = std::array::from_fn(|i| [0.1, 0.5, 1.0, 9.0][i % 4]);
         let (dx, dy) = ([slopes, [0.0; LANES], [0.0; LANES]], [[0.0; LANES]; 3]);
-        let got = sample_group(&b, &coord, Some([&dx, &dy]), Simd::Scalar)[0];
+        let got = Prepared::new(&b).group(&coord, Some([&dx, &dy]), Simd::Scalar)[0];
         for (lane, want) in [0usize, 1, 2, 2].into_iter().cycle().take(LANES).enumerate() {
             assert_eq!(got[lane], (b.image.levels[want].texels[0] & 255) as f32 * (1.0 / 255.0), "lane {lane}");
         }
@@ -555,7 +555,7 @@ mod tests {
                     let rotate = |by: usize| std::array::from_fn(|i| wild[(i * by + shift) % 8]);
                     let coord = [rotate(1), rotate(3), rotate(5), rotate(7)];
                     let (dx, dy) = ([rotate(3), rotate(1), rotate(1)], [rotate(5), rotate(2), rotate(2)]);
-                    let bits = |simd| sample_group(&b, &coord, Some([&dx, &dy]), simd).map(|c| c.map(f32::to_bits));
+                    let bits = |simd| Prepared::new(&b).group(&coord, Some([&dx, &dy]), simd).map(|c| c.map(f32::to_bits));
                     assert_eq!(bits(Simd::Scalar), bits(Simd::Avx2));
                 }
             }

@@ -2,6 +2,7 @@
 //! trilinear filtering with levels lane by lane. The same operations in the same order, so the same bits.
 
 use std::arch::x86_64::*;
+use std::marker::PhantomData;
 
 use super::texture::Texels;
 use crate::draw::texture::{TextureLevel, Wrap};
@@ -30,64 +31,75 @@ fn is_whole(level: &TextureLevel) -> bool {
     texels > 0 && texels < 1 << 31 && level.texels.len() as u64 >= texels
 }
 
-/// Bilinear filtering on the two levels around each lane's λ, blended; false where this cannot be done here.
-///
-/// # Safety
-/// The processor must have AVX2.
-#[target_feature(enable = "avx2")]
-#[inline]
-pub unsafe fn trilinear(levels: &[TextureLevel], wrap: [Wrap; 2], [s, t]: [&Lanes; 2], lambda: &Lanes, rows: &mut Texels) -> bool {
-    let Some(base) = levels.first() else { return false };
-    let last = levels.len() - 1;
-    if !wrap.into_iter().all(|w| stays_inside(w, true)) {
-        return false;
-    }
-    // SAFETY: eight lanes are 32 bytes.
-    let (s, t, lambda) = unsafe { (_mm256_loadu_ps(s.as_ptr()), _mm256_loadu_ps(t.as_ptr()), _mm256_loadu_ps(lambda.as_ptr())) };
-    // Where λ is not above 0, and where it is not a number: the base level. At the last level there is nothing to blend with.
-    let minified = _mm256_cmp_ps::<_CMP_GT_OQ>(lambda, _mm256_setzero_ps());
-    let floor = _mm256_floor_ps(lambda);
-    let last_f = _mm256_set1_ps(last as f32);
-    let blended = _mm256_and_ps(minified, _mm256_cmp_ps::<_CMP_LT_OQ>(floor, last_f));
-    let blend = _mm256_and_ps(_mm256_sub_ps(lambda, floor), blended);
-    let near = _mm256_cvttps_epi32(_mm256_and_ps(_mm256_min_ps(floor, last_f), minified));
-    let far = _mm256_min_epi32(_mm256_add_epi32(near, _mm256_set1_epi32(1)), _mm256_set1_epi32(last as i32));
-    let (near_of, far_of, blends) = (indices(near), indices(far), lanes(blend));
-    let (mut first, mut end) = (last, 0);
-    for lane in 0..LANES {
-        first = first.min(near_of[lane] as usize);
-        end = end.max(far_of[lane] as usize);
-    }
-    // An image has 32 levels at most: no width has more bits.
-    let mut texels = [std::ptr::null(); 32];
-    for k in first..=end {
-        let level = &levels[k];
-        let (width, height) = ((base.width >> (k & 31)).max(1), (base.height >> (k & 31)).max(1));
-        if k > 31 || level.width != width || level.height != height || !is_whole(level) {
-            return false;
+/// An image's levels, each half as large as the one before, all texels there.
+pub struct Pyramid<'a> {
+    /// Of each level. An image has 32 levels at most: no width has more bits.
+    texels: [*const u32; 32],
+    /// Columns and rows of the first.
+    size: [u32; 2],
+    /// The last one.
+    last: usize,
+    wrap: [Wrap; 2],
+    levels: PhantomData<&'a [TextureLevel]>,
+}
+
+impl<'a> Pyramid<'a> {
+    /// Of levels that can be filtered here.
+    pub fn new(levels: &'a [TextureLevel], wrap: [Wrap; 2]) -> Option<Pyramid<'a>> {
+        let base = levels.first()?;
+        if levels.len() > 32 || !wrap.into_iter().all(|w| stays_inside(w, true)) {
+            return None;
         }
-        texels[k] = level.texels.as_ptr();
+        let mut texels = [std::ptr::null(); 32];
+        for (k, level) in levels.iter().enumerate() {
+            let (width, height) = ((base.width >> k).max(1), (base.height >> k).max(1));
+            if level.width != width || level.height != height || !is_whole(level) {
+                return None;
+            }
+            texels[k] = level.texels.as_ptr();
+        }
+        Some(Pyramid { texels, size: [base.width, base.height], last: levels.len() - 1, wrap, levels: PhantomData })
     }
-    let size = |level: __m256i, size: u32| _mm256_max_epi32(_mm256_srlv_epi32(_mm256_set1_epi32(size as i32), level), _mm256_set1_epi32(1));
-    let around = |level| Around::new([size(level, base.width), size(level, base.height)], _mm256_setzero_si256(), wrap, [s, t]);
-    let near = around(near);
-    if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_NEQ_UQ>(blend, _mm256_setzero_ps())) == 0 {
+
+    /// Bilinear filtering on the two levels around each lane's λ, blended.
+    ///
+    /// # Safety
+    /// The processor must have AVX2.
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    pub unsafe fn trilinear(&self, [s, t]: [&Lanes; 2], lambda: &Lanes, rows: &mut Texels) {
+        // SAFETY: eight lanes are 32 bytes.
+        let (s, t, lambda) = unsafe { (_mm256_loadu_ps(s.as_ptr()), _mm256_loadu_ps(t.as_ptr()), _mm256_loadu_ps(lambda.as_ptr())) };
+        // Where λ is not above 0, and where it is not a number: the base level. At the last level there is nothing to blend with.
+        let minified = _mm256_cmp_ps::<_CMP_GT_OQ>(lambda, _mm256_setzero_ps());
+        let floor = _mm256_floor_ps(lambda);
+        let last_f = _mm256_set1_ps(self.last as f32);
+        let blended = _mm256_and_ps(minified, _mm256_cmp_ps::<_CMP_LT_OQ>(floor, last_f));
+        let blend = _mm256_and_ps(_mm256_sub_ps(lambda, floor), blended);
+        let near = _mm256_cvttps_epi32(_mm256_and_ps(_mm256_min_ps(floor, last_f), minified));
+        let far = _mm256_min_epi32(_mm256_add_epi32(near, _mm256_set1_epi32(1)), _mm256_set1_epi32(self.last as i32));
+        let (near_of, far_of, blends) = (indices(near), indices(far), lanes(blend));
+        let size =
+            |level: __m256i, size: u32| _mm256_max_epi32(_mm256_srlv_epi32(_mm256_set1_epi32(size as i32), level), _mm256_set1_epi32(1));
+        let around = |level| Around::new([size(level, self.size[0]), size(level, self.size[1])], _mm256_setzero_si256(), self.wrap, [s, t]);
+        let near = around(near);
+        if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_NEQ_UQ>(blend, _mm256_setzero_ps())) == 0 {
+            for (lane, row) in rows.iter_mut().enumerate() {
+                // SAFETY: the lanes' levels are at most the last, and all were checked.
+                unsafe { _mm_storeu_ps(row.as_mut_ptr(), near.filtered(lane, self.texels[near_of[lane] as usize & 31])) };
+            }
+            return;
+        }
+        let far = around(far);
         for (lane, row) in rows.iter_mut().enumerate() {
-            // SAFETY: the levels from `first` to `end`, among which those of all lanes are, were checked just now.
-            unsafe { _mm_storeu_ps(row.as_mut_ptr(), near.filtered(lane, texels[near_of[lane] as usize & 31])) };
-        }
-        return true;
-    }
-    let far = around(far);
-    for (lane, row) in rows.iter_mut().enumerate() {
-        // SAFETY: as above.
-        unsafe {
-            let low = near.filtered(lane, texels[near_of[lane] as usize & 31]);
-            let high = far.filtered(lane, texels[far_of[lane] as usize & 31]);
-            _mm_storeu_ps(row.as_mut_ptr(), lerp(low, high, _mm_set1_ps(blends[lane])));
+            // SAFETY: as above.
+            unsafe {
+                let low = near.filtered(lane, self.texels[near_of[lane] as usize & 31]);
+                let high = far.filtered(lane, self.texels[far_of[lane] as usize & 31]);
+                _mm_storeu_ps(row.as_mut_ptr(), lerp(low, high, _mm_set1_ps(blends[lane])));
+            }
         }
     }
-    true
 }
 
 /// The four texels around each of eight lanes.

@@ -7,6 +7,7 @@ use super::fine::{Plan, Scene, row8};
 use super::modulate::{self, Colors, Fragments, Source};
 use super::simd::Simd;
 use super::store::{BIN_PIXELS, BinPixels};
+use super::texture::Prepared;
 use super::tile::FULL;
 
 /// Draws the covered pixels of a tile; false where there are none.
@@ -28,7 +29,9 @@ pub fn tile<S: Simd, const MODE: u32>(
     let depth = DepthRow::<S>::new(planes, x);
     let mut touched = false;
     // Two rows at a time, those of a quad: neither waits for the other, and rows beyond the triangle's are just not covered.
-    for row in (first & !1..=last).step_by(2) {
+    let mut row = (first & !1) - 2;
+    while row + 2 <= last {
+        row += 2;
         let mut outside = [edges.next(), edges.next()];
         if allowed != FULL {
             for k in 0..2 {
@@ -74,7 +77,7 @@ crate::dispatch! {
 fn flush_kernel<S: Simd>(fragments: &mut Fragments, scene: &Scene, draw: u32, bin: &mut BinPixels) {
     let plan = &scene.plans[draw as usize];
     if let (Some(what), Some(binding)) = (plan.modulate, scene.batch.textures.get(plan.record.first_texture as usize)) {
-        modulate::run::<S>(scene, plan, what, binding, fragments, bin.origin, Colors::Bytes);
+        modulate::run::<S>(scene, plan, what, &Prepared::new(binding), fragments, bin.origin, Colors::Bytes);
         let pixels: &mut [u32; BIN_PIXELS] = bin.color.first_chunk_mut().expect("a bin");
         for (&at, &color) in fragments.at.iter().zip(&fragments.bytes).take(fragments.count) {
             pixels[at as usize % BIN_PIXELS] = color;
