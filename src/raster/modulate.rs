@@ -4,6 +4,8 @@
 //! Fragments wait packed, lane by lane. The level of detail is one for all fragments of a triangle in a quad of 2 x 2 pixels, and is
 //! worked out once for them.
 
+use std::marker::PhantomData;
+
 use super::fine::{Plan, Scene};
 use super::layout::*;
 use super::simd::{Simd, eight, eight_mut};
@@ -13,6 +15,8 @@ use crate::program::lanes::{Column4, LANES};
 
 /// Fragments that may wait. A power of two, so that an index needs no check; a triangle's number fits a byte.
 pub const FRAGMENTS: usize = 128;
+/// The same by groups of lanes.
+const GROUPS: usize = FRAGMENTS / LANES;
 /// The same, with room for eight that begin at the last one.
 const ROOM: usize = FRAGMENTS + LANES;
 /// vec4 of a triangle with two varyings: depth, coordinates, colour.
@@ -57,6 +61,13 @@ pub struct Fragments {
     w: [[f32; 4]; FRAGMENTS],
     /// Triangles.
     used: usize,
+    /// λ of the quads.
+    lambdas: [f32; ROOM],
+    /// Of the fragments: s, t, λ; x, y and w.
+    coord: [[[f32; LANES]; GROUPS]; 3],
+    /// See `coord`.
+    place: [[[f32; LANES]; GROUPS]; 3],
+    texels: [Texels; GROUPS],
 }
 
 impl Default for Fragments {
@@ -73,6 +84,10 @@ impl Default for Fragments {
             triangles: [Source::default(); FRAGMENTS],
             w: [[0.0; 4]; FRAGMENTS],
             used: 0,
+            lambdas: [0.0; ROOM],
+            coord: [[[0.0; LANES]; GROUPS]; 3],
+            place: [[[0.0; LANES]; GROUPS]; 3],
+            texels: [[[0.0; 4]; LANES]; GROUPS],
         }
     }
 }
@@ -123,18 +138,21 @@ struct Group<'a, S: Simd> {
     blocks: [&'a Block; LANES],
     /// It is one triangle: large ones fill groups.
     same: bool,
-    /// Planes of 1/w.
-    w: [S::F; 4],
+    /// Their places among the triangles.
+    of: [usize; LANES],
+    level: PhantomData<S>,
 }
 
 impl<'a, S: Simd> Group<'a, S> {
     #[inline(always)]
-    fn new(triangles: &[u8; LANES], blocks: &[&'a Block; FRAGMENTS], w: &[[f32; 4]; FRAGMENTS]) -> Self {
-        let [a, b, c, d, e, f, g, h] = triangles.map(|t| t as usize % FRAGMENTS);
+    fn new(triangles: &[u8; LANES], blocks: &[&'a Block; FRAGMENTS]) -> Self {
+        let of = triangles.map(|t| t as usize % FRAGMENTS);
+        let [a, b, c, d, e, f, g, h] = of;
         Group {
             blocks: [blocks[a], blocks[b], blocks[c], blocks[d], blocks[e], blocks[f], blocks[g], blocks[h]],
             same: *triangles == [triangles[0]; LANES],
-            w: S::columns([&w[a], &w[b], &w[c], &w[d], &w[e], &w[f], &w[g], &w[h]]),
+            of,
+            level: PhantomData,
         }
     }
 
@@ -148,10 +166,12 @@ impl<'a, S: Simd> Group<'a, S> {
         S::columns([&a[k], &b[k], &c[k], &d[k], &e[k], &f[k], &g[k], &h[k]])
     }
 
-    /// w at a place.
+    /// w at a place, by the triangles' planes of 1/w.
     #[inline(always)]
-    fn over_w(&self, [x, y]: [S::F; 2]) -> S::F {
-        S::div(S::f(1.0), S::fma(y, self.w[2], S::fma(x, self.w[1], self.w[0])))
+    fn over_w(&self, planes: &[[f32; 4]; FRAGMENTS], [x, y]: [S::F; 2]) -> S::F {
+        let [a, b, c, d, e, f, g, h] = self.of;
+        let [a0, dx, dy, _] = S::columns([&planes[a], &planes[b], &planes[c], &planes[d], &planes[e], &planes[f], &planes[g], &planes[h]]);
+        S::div(S::f(1.0), S::fma(y, dy, S::fma(x, dx, a0)))
     }
 }
 
@@ -209,31 +229,36 @@ pub fn run<S: Simd>(scene: &Scene, plan: &Plan, what: Modulate, texture: &Prepar
         *block = scene.planes(source.work, source.planes).first_chunk().expect("two varyings");
         *w = if source.perspective { [block[0][3], block[1][0], block[1][1], 0.0] } else { [1.0, 0.0, 0.0, 0.0] };
     }
-    let mut lambdas = [0.0; FRAGMENTS];
     if what.lod {
         for first in (0..f.quads).step_by(LANES) {
-            S::store(quad_lambdas::<S>(plan, texture, f, &blocks, first, origin), eight_mut(&mut lambdas, first));
+            S::store(quad_lambdas::<S>(plan, texture, f, &blocks, first, origin), eight_mut(&mut f.lambdas, first));
         }
     }
-    for first in (0..f.count).step_by(LANES) {
-        let group = Group::<S>::new(eight(&f.triangle, first), &blocks, &f.w);
-        let [x, y] = places::<S>(S::load_u(eight(&f.at, first)), origin);
+    // A loop for each part: in one for all, what waits for a division would hold up what waits for nothing.
+    let groups = f.count.div_ceil(LANES);
+    for g in 0..groups {
+        let group = Group::<S>::new(eight(&f.triangle, g * LANES), &blocks);
+        let [x, y] = places::<S>(S::load_u(eight(&f.at, g * LANES)), origin);
         let here = [S::to_f(x), S::to_f(y)];
-        let w = group.over_w(here);
-        let at = Coordinates::new(&group, plan.modes[0]).project(here, w);
-        let mut coord = [[0.0; LANES]; 2];
-        S::store(at[0], &mut coord[0]);
-        S::store(at[1], &mut coord[1]);
-        let quad = eight(&f.quad, first);
-        let mut lambda = [0.0; LANES];
+        let w = group.over_w(&f.w, here);
+        let [s, t] = Coordinates::new(&group, plan.modes[0]).project(here, w);
+        S::store(s, &mut f.coord[0][g]);
+        S::store(t, &mut f.coord[1][g]);
+        S::store(here[0], &mut f.place[0][g]);
+        S::store(here[1], &mut f.place[1][g]);
+        S::store(w, &mut f.place[2][g]);
         if what.lod {
-            for (lambda, quad) in lambda.iter_mut().zip(quad) {
-                *lambda = lambdas[*quad as usize % FRAGMENTS];
+            for (lambda, quad) in f.coord[2][g].iter_mut().zip(eight(&f.quad, g * LANES)) {
+                *lambda = f.lambdas[*quad as usize % FRAGMENTS];
             }
         }
-        let mut texels = [[0.0; 4]; LANES];
-        texture.flat::<S>(coord, what.lod.then_some(lambda), &mut texels);
-        let colors = product::<S>(plan, what, &group, here, w, &texels);
+    }
+    let [s, t, lambda] = f.coord.each_ref().map(|c| &c[..groups]);
+    texture.flat::<S>([s, t], what.lod.then_some(lambda), &mut f.texels[..groups]);
+    for g in 0..groups {
+        let first = g * LANES;
+        let group = Group::<S>::new(eight(&f.triangle, first), &blocks);
+        let colors = product::<S>(plan, what, &group, f.place.each_ref().map(|p| &p[g]), &f.texels[g]);
         match &mut to {
             Colors::Bytes => {
                 let most = S::f(255.0);
@@ -251,7 +276,7 @@ pub fn run<S: Simd>(scene: &Scene, plan: &Plan, what: Modulate, texture: &Prepar
                 }
                 for lane in 0..LANES {
                     for c in 0..4 {
-                        columns[c][first / LANES][lane] = pixels[lane % 4][lane / 4 * 4 + c];
+                        columns[c][g][lane] = pixels[lane % 4][lane / 4 * 4 + c];
                     }
                 }
             }
@@ -269,14 +294,14 @@ fn quad_lambdas<S: Simd>(
     first: usize,
     origin: [i32; 2],
 ) -> S::F {
-    let group = Group::<S>::new(eight(&f.quad_triangle, first), blocks, &f.w);
+    let group = Group::<S>::new(eight(&f.quad_triangle, first), blocks);
     let planes = Coordinates::new(&group, plan.modes[0]);
     // The quad's first pixel, the next in x, the next in y.
     let ([x, y], one) = (places::<S>(S::load_u(eight(&f.quad_at, first)), origin), S::i(1));
     let (x0, y0, x1, y1) = (S::to_f(x), S::to_f(y), S::to_f(S::or(x, one)), S::to_f(S::or(y, one)));
-    let here = planes.project([x0, y0], group.over_w([x0, y0]));
-    let right = planes.project([x1, y0], group.over_w([x1, y0]));
-    let down = planes.project([x0, y1], group.over_w([x0, y1]));
+    let here = planes.project([x0, y0], group.over_w(&f.w, [x0, y0]));
+    let right = planes.project([x1, y0], group.over_w(&f.w, [x1, y0]));
+    let down = planes.project([x0, y1], group.over_w(&f.w, [x0, y1]));
     let across = [S::sub(right[0], here[0]), S::sub(right[1], here[1])];
     let along = [S::sub(down[0], here[0]), S::sub(down[1], here[1])];
     texture.flat_lambda::<S>([across, along])
@@ -284,26 +309,24 @@ fn quad_lambdas<S: Simd>(
 
 /// Colour times texel: of fragments k and k + 4, four components side by side.
 #[inline(always)]
-fn product<S: Simd>(plan: &Plan, what: Modulate, group: &Group<S>, here: [S::F; 2], w: S::F, texels: &Texels) -> [S::F; 4] {
+fn product<S: Simd>(plan: &Plan, what: Modulate, group: &Group<S>, [x, y, w]: [&[f32; LANES]; 3], texels: &Texels) -> [S::F; 4] {
     let mode = plan.modes[1];
-    let (mut x, mut y, mut over) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-    S::store(here[0], &mut x);
-    S::store(here[1], &mut y);
-    S::store(w, &mut over);
     let part = |on: bool| if on { !0 } else { 0 };
     let [rgb, alpha] = what.parts.map(part);
     let parts = S::load_u(&[rgb, rgb, rgb, alpha, rgb, rgb, rgb, alpha]);
-    let mut colors = [S::f(0.0); 4];
+    let (mut colors, mut planes) = ([S::f(0.0); 4], [S::f(0.0); 3]);
     for (k, color) in colors.iter_mut().enumerate() {
-        let (a, b) = (group.blocks[k], group.blocks[k + 4]);
-        let mut value = S::two(&a[COLOR], &b[COLOR]);
+        if k == 0 || !group.same {
+            let (a, b) = (group.blocks[k], group.blocks[k + 4]);
+            planes = [S::two(&a[COLOR], &b[COLOR]), S::two(&a[COLOR + 1], &b[COLOR + 1]), S::two(&a[COLOR + 2], &b[COLOR + 2])];
+        }
+        let mut value = planes[0];
         if mode != interpolation::FLAT {
             let (x, y) = (S::halves(x[k], x[k + 4]), S::halves(y[k], y[k + 4]));
-            value = S::fma(x, S::two(&a[COLOR + 1], &b[COLOR + 1]), value);
-            value = S::fma(y, S::two(&a[COLOR + 2], &b[COLOR + 2]), value);
+            value = S::fma(y, planes[2], S::fma(x, planes[1], value));
         }
         if mode == interpolation::PERSPECTIVE {
-            value = S::mul(value, S::halves(over[k], over[k + 4]));
+            value = S::mul(value, S::halves(w[k], w[k + 4]));
         }
         let texel = S::bits(S::two(&texels[k], &texels[k + 4]));
         *color = S::mul(value, S::from_bits(S::select(parts, texel, S::bits(S::f(1.0)))));

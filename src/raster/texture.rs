@@ -2,6 +2,8 @@
 
 use super::lod::{self, runs_on};
 use super::simd::{self, Level};
+use std::slice::{from_mut, from_ref};
+
 #[cfg(target_arch = "x86_64")]
 use super::texture_wide::{self, Pyramid};
 use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
@@ -55,26 +57,37 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// Samples a flat image at s and t, with λ where a level of detail is wanted.
+    /// Samples a flat image at s and t of groups of lanes, with λ where a level of detail is wanted.
     #[inline(always)]
-    pub fn flat<S: simd::Simd>(&self, [s, t]: [Lanes; 2], lambda: Option<Lanes>, to: &mut Texels) {
-        let Some(base) = self.image.levels.first() else { return *to = rows(&NOTHING) };
-        let position = Position { s, t, r: [0.0; LANES], face: [0; LANES] };
-        if !self.wide::<S>(base, &position, lambda.as_ref(), to) {
-            *to = rows(&at_levels_at(S::LEVEL, self.image, self.sampler, base, &position, lambda));
+    pub fn flat<S: simd::Simd>(&self, coord: [&[Lanes]; 2], lambda: Option<&[Lanes]>, to: &mut [Texels]) {
+        let Some(base) = self.image.levels.first() else { return to.fill(rows(&NOTHING)) };
+        if !self.wide::<S>(base, coord, &[], lambda, to) {
+            for (g, to) in to.iter_mut().enumerate() {
+                let position = Position { s: coord[0][g], t: coord[1][g], r: [0.0; LANES], face: [0; LANES] };
+                *to = rows(&at_levels_at(S::LEVEL, self.image, self.sampler, base, &position, lambda.map(|lambda| lambda[g])));
+            }
         }
     }
 
     /// The commonest filters, where the processor has AVX2; false for others.
     #[inline(always)]
-    fn wide<S: simd::Simd>(&self, base: &TextureLevel, p: &Position, lambda: Option<&Lanes>, to: &mut Texels) -> bool {
-        let Some(lambda) = lambda else { return wide_level::<S>(self.image, self.sampler, base, self.sampler.mag_linear, p, to) };
+    fn wide<S: simd::Simd>(
+        &self,
+        base: &TextureLevel,
+        coord: [&[Lanes]; 2],
+        faces: &[Indices],
+        lambda: Option<&[Lanes]>,
+        to: &mut [Texels],
+    ) -> bool {
+        let Some(lambda) = lambda else {
+            return wide_level::<S>(self.image, self.sampler, base, self.sampler.mag_linear, coord, faces, to);
+        };
         #[cfg(target_arch = "x86_64")]
         if S::LEVEL == Level::Avx2
             && let Some(pyramid) = &self.pyramid
         {
             // SAFETY: the level is AVX2.
-            unsafe { pyramid.trilinear([&p.s, &p.t], lambda, to) };
+            unsafe { pyramid.trilinear(coord, lambda, to) };
             return true;
         }
         let _ = lambda;
@@ -97,7 +110,7 @@ fn sample<S: simd::Simd>(texture: &Prepared, coord: &[Lanes; 4], gradients: Opti
     };
     let lambda = gradients.map(|gradients| lod::group::<S>(image, sampler, base, coord, gradients, &position));
     let mut texels = [[0.0; 4]; LANES];
-    if texture.wide::<S>(base, &position, lambda.as_ref(), &mut texels) {
+    if texture.wide::<S>(base, position.coord(), &[position.face], lambda.as_ref().map(from_ref), from_mut(&mut texels)) {
         return columns::<S>(&texels);
     }
     at_levels::<S>(image, sampler, base, &position, lambda)
@@ -139,8 +152,9 @@ fn wide_level<S: simd::Simd>(
     sampler: &Sampler,
     level: &TextureLevel,
     linear: bool,
-    p: &Position,
-    to: &mut Texels,
+    coord: [&[Lanes]; 2],
+    faces: &[Indices],
+    to: &mut [Texels],
 ) -> bool {
     if S::LEVEL != Level::Avx2 || image.format != TexelFormat::Rgba8 || image.kind == TextureKind::D3 {
         return false;
@@ -151,7 +165,7 @@ fn wide_level<S: simd::Simd>(
     #[cfg(target_arch = "x86_64")]
     if layers && texture_wide::serves(level, wrap, linear) {
         // SAFETY: the level is AVX2; a face is below 6, and 0 on other images.
-        unsafe { texture_wide::sample(level, wrap, linear, [&p.s, &p.t], &p.face, to) };
+        unsafe { texture_wide::sample(level, wrap, linear, coord, faces, to) };
         return true;
     }
     false
@@ -212,6 +226,13 @@ pub struct Position {
     pub r: Lanes,
     /// A cube's face.
     pub face: Indices,
+}
+
+impl Position {
+    /// s and t, as one group of lanes.
+    fn coord(&self) -> [&[Lanes]; 2] {
+        [from_ref(&self.s), from_ref(&self.t)]
+    }
 }
 
 /// Table 3.19: the face of the largest component, and the coordinates on it.
@@ -302,7 +323,7 @@ fn sample_level<S: simd::Simd>(image: &TextureImage, sampler: &Sampler, level: &
     let (w, h, d) = (level.width as i32, level.height as i32, level.depth as i32);
     let flat = image.kind == TextureKind::D1;
     let mut texels = [[0.0; 4]; LANES];
-    if wide_level::<S>(image, sampler, level, linear, p, &mut texels) {
+    if wide_level::<S>(image, sampler, level, linear, p.coord(), &[p.face], from_mut(&mut texels)) {
         return columns::<S>(&texels);
     }
     let fetch = Fetch { level, format: image.format, border: &sampler.border };

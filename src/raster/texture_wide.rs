@@ -61,44 +61,52 @@ impl<'a> Pyramid<'a> {
         Some(Pyramid { texels, size: [base.width, base.height], last: levels.len() - 1, wrap, levels: PhantomData })
     }
 
-    /// Bilinear filtering on the two levels around each lane's λ, blended.
+    /// Bilinear filtering on the two levels around each lane's λ, blended, of groups of lanes.
     ///
     /// # Safety
     /// The processor must have AVX2.
     #[target_feature(enable = "avx2")]
     #[inline]
-    pub unsafe fn trilinear(&self, [s, t]: [&Lanes; 2], lambda: &Lanes, rows: &mut Texels) {
-        // SAFETY: eight lanes are 32 bytes.
-        let (s, t, lambda) = unsafe { (_mm256_loadu_ps(s.as_ptr()), _mm256_loadu_ps(t.as_ptr()), _mm256_loadu_ps(lambda.as_ptr())) };
-        // Where λ is not above 0, and where it is not a number: the base level. At the last level there is nothing to blend with.
-        let minified = _mm256_cmp_ps::<_CMP_GT_OQ>(lambda, _mm256_setzero_ps());
-        let floor = _mm256_floor_ps(lambda);
-        let last_f = _mm256_set1_ps(self.last as f32);
-        let blended = _mm256_and_ps(minified, _mm256_cmp_ps::<_CMP_LT_OQ>(floor, last_f));
-        let blend = _mm256_and_ps(_mm256_sub_ps(lambda, floor), blended);
-        let near = _mm256_cvttps_epi32(_mm256_and_ps(_mm256_min_ps(floor, last_f), minified));
-        let far = _mm256_min_epi32(_mm256_add_epi32(near, _mm256_set1_epi32(1)), _mm256_set1_epi32(self.last as i32));
-        let (near_of, far_of, blends) = (indices(near), indices(far), lanes(blend));
-        let size =
-            |level: __m256i, size: u32| _mm256_max_epi32(_mm256_srlv_epi32(_mm256_set1_epi32(size as i32), level), _mm256_set1_epi32(1));
-        let around = |level| Around::new([size(level, self.size[0]), size(level, self.size[1])], _mm256_setzero_si256(), self.wrap, [s, t]);
-        let near = around(near);
-        if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_NEQ_UQ>(blend, _mm256_setzero_ps())) == 0 {
+    pub unsafe fn trilinear(&self, coord: [&[Lanes]; 2], lambda: &[Lanes], rows: &mut [Texels]) {
+        for (g, rows) in rows.iter_mut().enumerate() {
+            let (s, t, lambda) = (load(&coord[0][g]), load(&coord[1][g]), load(&lambda[g]));
+            // Where λ is not above 0, and where it is not a number: the base level. At the last level there is nothing to blend with.
+            let minified = _mm256_cmp_ps::<_CMP_GT_OQ>(lambda, _mm256_setzero_ps());
+            let floor = _mm256_floor_ps(lambda);
+            let last = _mm256_set1_ps(self.last as f32);
+            let blended = _mm256_and_ps(minified, _mm256_cmp_ps::<_CMP_LT_OQ>(floor, last));
+            let blend = _mm256_and_ps(_mm256_sub_ps(lambda, floor), blended);
+            let level = _mm256_cvttps_epi32(_mm256_and_ps(_mm256_min_ps(floor, last), minified));
+            let near = Around::new(self.sizes(level), _mm256_setzero_si256(), self.wrap, [s, t]);
+            let near_of = indices(level);
+            if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_NEQ_UQ>(blend, _mm256_setzero_ps())) == 0 {
+                for (lane, row) in rows.iter_mut().enumerate() {
+                    // SAFETY: the lanes' levels are at most the last, and all were checked.
+                    unsafe { _mm_storeu_ps(row.as_mut_ptr(), near.filtered(lane, self.texels[near_of[lane] as usize & 31])) };
+                }
+                continue;
+            }
+            let level = _mm256_min_epi32(_mm256_add_epi32(level, _mm256_set1_epi32(1)), _mm256_set1_epi32(self.last as i32));
+            let far = Around::new(self.sizes(level), _mm256_setzero_si256(), self.wrap, [s, t]);
+            let (far_of, blends) = (indices(level), lanes(blend));
             for (lane, row) in rows.iter_mut().enumerate() {
-                // SAFETY: the lanes' levels are at most the last, and all were checked.
-                unsafe { _mm_storeu_ps(row.as_mut_ptr(), near.filtered(lane, self.texels[near_of[lane] as usize & 31])) };
-            }
-            return;
-        }
-        let far = around(far);
-        for (lane, row) in rows.iter_mut().enumerate() {
-            // SAFETY: as above.
-            unsafe {
-                let low = near.filtered(lane, self.texels[near_of[lane] as usize & 31]);
-                let high = far.filtered(lane, self.texels[far_of[lane] as usize & 31]);
-                _mm_storeu_ps(row.as_mut_ptr(), lerp(low, high, _mm_set1_ps(blends[lane])));
+                // SAFETY: as above.
+                unsafe {
+                    let low = near.filtered(lane, self.texels[near_of[lane] as usize & 31]);
+                    let high = far.filtered(lane, self.texels[far_of[lane] as usize & 31]);
+                    _mm_storeu_ps(row.as_mut_ptr(), lerp(low, high, _mm_set1_ps(blends[lane])));
+                }
             }
         }
+    }
+
+    /// Columns and rows of eight lanes' levels.
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn sizes(&self, level: __m256i) -> [__m256i; 2] {
+        let one = _mm256_set1_epi32(1);
+        let (w, h) = (_mm256_set1_epi32(self.size[0] as i32), _mm256_set1_epi32(self.size[1] as i32));
+        [_mm256_max_epi32(_mm256_srlv_epi32(w, level), one), _mm256_max_epi32(_mm256_srlv_epi32(h, level), one)]
     }
 }
 
@@ -138,36 +146,56 @@ impl Around {
     }
 }
 
-/// The texel under each lane, or the four around it blended. `layer` is the cube face.
+/// The texel under each lane, or the four around it blended, of groups of lanes. `layers` are the cube faces, none of a flat image.
 ///
 /// # Safety
-/// [`serves`] holds, and `layer` is below the level's depth. The processor must have AVX2.
+/// [`serves`] holds, and layers are below the level's depth. The processor must have AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-pub unsafe fn sample(level: &TextureLevel, wrap: [Wrap; 2], linear: bool, [s, t]: [&Lanes; 2], layer: &[i32; LANES], rows: &mut Texels) {
+pub unsafe fn sample(
+    level: &TextureLevel,
+    wrap: [Wrap; 2],
+    linear: bool,
+    coord: [&[Lanes]; 2],
+    layers: &[[i32; LANES]],
+    rows: &mut [Texels],
+) {
     let (w, h) = (level.width as i32, level.height as i32);
-    // SAFETY: eight lanes are 32 bytes.
-    let (s, t, z) = unsafe { (_mm256_loadu_ps(s.as_ptr()), _mm256_loadu_ps(t.as_ptr()), _mm256_loadu_si256(layer.as_ptr().cast())) };
     let size = [_mm256_set1_epi32(w), _mm256_set1_epi32(h)];
-    let first = _mm256_mullo_epi32(z, size[1]);
     let texels = level.texels.as_ptr();
+    let first = |g: usize| match layers.get(g) {
+        // SAFETY: eight lanes are 32 bytes.
+        Some(layer) => _mm256_mullo_epi32(unsafe { _mm256_loadu_si256(layer.as_ptr().cast()) }, size[1]),
+        None => _mm256_setzero_si256(),
+    };
     if linear {
-        let around = Around::new(size, first, wrap, [s, t]);
-        for (lane, row) in rows.iter_mut().enumerate() {
-            // SAFETY: the layer is below the depth, and `serves` checked that the texels exist.
-            unsafe { _mm_storeu_ps(row.as_mut_ptr(), around.filtered(lane, texels)) };
+        for (g, rows) in rows.iter_mut().enumerate() {
+            let around = Around::new(size, first(g), wrap, [load(&coord[0][g]), load(&coord[1][g])]);
+            for (lane, row) in rows.iter_mut().enumerate() {
+                // SAFETY: the layer is below the depth, and `serves` checked that the texels exist.
+                unsafe { _mm_storeu_ps(row.as_mut_ptr(), around.filtered(lane, texels)) };
+            }
         }
         return;
     }
-    let y = _mm256_add_epi32(first, nearest(t, h, wrap[1]));
-    let at = indices(_mm256_add_epi32(_mm256_mullo_epi32(y, size[0]), nearest(s, w, wrap[0])));
-    for (lane, row) in rows.iter_mut().enumerate() {
-        // SAFETY: as above, and `nearest` stays below the size.
-        unsafe {
-            let texel = components(*texels.add(at[lane] as usize));
-            _mm_storeu_ps(row.as_mut_ptr(), _mm_mul_ps(texel, _mm_set1_ps(1.0 / 255.0)));
+    for (g, rows) in rows.iter_mut().enumerate() {
+        let y = _mm256_add_epi32(first(g), nearest(load(&coord[1][g]), h, wrap[1]));
+        let at = indices(_mm256_add_epi32(_mm256_mullo_epi32(y, size[0]), nearest(load(&coord[0][g]), w, wrap[0])));
+        for (lane, row) in rows.iter_mut().enumerate() {
+            // SAFETY: as above, and `nearest` stays below the size.
+            unsafe {
+                let texel = components(*texels.add(at[lane] as usize));
+                _mm_storeu_ps(row.as_mut_ptr(), _mm_mul_ps(texel, _mm_set1_ps(1.0 / 255.0)));
+            }
         }
     }
+}
+
+#[target_feature(enable = "avx2")]
+#[inline]
+fn load(lanes: &Lanes) -> __m256 {
+    // SAFETY: eight lanes are 32 bytes.
+    unsafe { _mm256_loadu_ps(lanes.as_ptr()) }
 }
 
 /// A texel's components, from 0 to 255.
