@@ -2,8 +2,9 @@
 //! with writes or not there at all, blending is SRC_ALPHA, ONE_MINUS_SRC_ALPHA or off. The same values as the general
 //! routine of [`super::fine`]; what does not change within a tile is computed once.
 
-use super::fine::{Plan, row8};
+use super::fine::row8;
 use super::layout::*;
+use super::plan::Plan;
 use super::simd::Simd;
 use super::store::BinPixels;
 use super::tile::{FULL, TileRows};

@@ -3,8 +3,9 @@
 //! Small triangles leave two or three fragments in a row of eight pixels, so planes are evaluated fragment by fragment, the four
 //! components of a varying at a time; the values become columns, eight fragments a group, and only then are divided by w.
 
-use super::fine::{Plan, Row, Scene};
+use super::fine::{Row, Scene};
 use super::layout::*;
+use super::plan::Plan;
 use super::simd::{Simd, eight, eight_mut};
 use crate::program::Input;
 use crate::program::lanes::{Column4, GROUPS, LANES};

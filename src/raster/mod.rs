@@ -15,6 +15,7 @@ mod interpolate;
 pub mod layout;
 mod lod;
 mod modulate;
+pub mod plan;
 mod point_line;
 pub mod runs;
 pub mod samples;
@@ -26,6 +27,7 @@ pub mod store;
 #[cfg(feature = "study")]
 pub mod study;
 pub mod texture;
+mod texture_fetch;
 #[cfg(target_arch = "x86_64")]
 mod texture_wide;
 mod textured;

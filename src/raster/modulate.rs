@@ -6,8 +6,9 @@
 
 use std::marker::PhantomData;
 
-use super::fine::{Plan, Scene};
+use super::fine::Scene;
 use super::layout::*;
+use super::plan::Plan;
 use super::simd::{Simd, eight, eight_mut};
 use super::texture::{Prepared, Texels};
 use crate::program::Modulate;

@@ -3,8 +3,9 @@
 //! A bin holds its samples one after the other, so that the routines of one sample serve all of them.
 
 use super::depth_stencil;
-use super::fine::{Extent, Plan, Row, Scene, Worker, depth, direct_color, queue, row8};
+use super::fine::{Extent, Row, Scene, Worker, depth, direct_color, queue, row8};
 use super::layout::*;
+use super::plan::Plan;
 use super::simd::Simd;
 use super::store::{BIN_PIXELS, BinPixels};
 use super::tile::{FULL, LocalEdges};

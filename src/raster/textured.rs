@@ -3,8 +3,9 @@
 //! one, in order. The same values as the general routine of [`super::fine`].
 
 use super::fast::{DEPTH, DepthRow, Tile};
-use super::fine::{Plan, Scene, row8};
+use super::fine::{Scene, row8};
 use super::modulate::{self, Colors, Fragments, Source};
+use super::plan::Plan;
 use super::simd::{Simd, eight, eight_mut};
 use super::store::{BIN_PIXELS, BinPixels};
 use super::texture::Prepared;
