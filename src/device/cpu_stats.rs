@@ -4,8 +4,9 @@ use std::fmt::Write;
 use std::sync::OnceLock;
 
 use crate::draw::{Batch, Step};
-use crate::raster::fine::{Plan, Work};
+use crate::raster::fine::Work;
 use crate::raster::layout::{fragment_flags, raster_flags};
+use crate::raster::plan::Plan;
 
 /// Whether statistics are wanted.
 pub fn wanted() -> bool {

@@ -1,7 +1,7 @@
 //! Stencil and depth tests on eight pixels of a row.
 
-use super::fine::Plan;
 use super::layout::*;
+use super::plan::Plan;
 use super::simd::Simd;
 
 /// Compares `a` with `b` by `func` (both below 2^31): lanes where it holds.

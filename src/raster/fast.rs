@@ -2,8 +2,9 @@
 //! with writes or not there at all, blending is SRC_ALPHA, ONE_MINUS_SRC_ALPHA or off. The same values as the general
 //! routine of [`super::fine`]; what does not change within a tile is computed once.
 
-use super::fine::{Plan, row8};
+use super::fine::row8;
 use super::layout::*;
+use super::plan::Plan;
 use super::simd::Simd;
 use super::store::BinPixels;
 use super::tile::{FULL, TileRows};
@@ -20,12 +21,18 @@ pub const BLEND: u32 = 2;
 pub const DEPTH_BLEND: u32 = DEPTH | BLEND;
 /// No test, colour replaced.
 pub const COPY: u32 = 4;
+/// Flag: the colour is a varying times a texel.
+pub const TEXTURE: u32 = 8;
+/// See [`super::textured`].
+pub const TEXTURED_DEPTH: u32 = TEXTURE | DEPTH;
+/// See [`super::textured`].
+pub const TEXTURED_COPY: u32 = TEXTURE | COPY;
 
-/// Which routine serves a state. `direct`: the colour is a varying.
-pub fn choose(state: &FragmentState, format: SurfaceFormat, direct: bool, write_mask: u32) -> u32 {
+/// Which routine serves a state. `direct`: the colour is a varying; `modulate`: that times a texel.
+pub fn choose(state: &FragmentState, format: SurfaceFormat, [direct, modulate]: [bool; 2], write_mask: u32) -> u32 {
     // By name: a glob import would hide this module's `BLEND`.
     use fragment_flags::{ALPHA_TEST, DEPTH_TEST, DEPTH_WRITE, LOGIC_OP, STENCIL_TEST};
-    if !direct
+    if !(direct || modulate)
         || format.samples > 1
         || format.color != ColorFormat::Rgba8
         || write_mask != !0
@@ -47,7 +54,14 @@ pub fn choose(state: &FragmentState, format: SurfaceFormat, direct: bool, write_
         }
         mode |= BLEND;
     }
-    if mode == 0 { COPY } else { mode }
+    if mode == 0 {
+        mode = COPY;
+    }
+    match (direct, mode) {
+        (true, _) => mode,
+        (false, DEPTH | COPY) => mode | TEXTURE,
+        (false, _) => NONE,
+    }
 }
 
 /// A tile under a triangle.
@@ -62,6 +76,35 @@ pub struct Tile<S: Simd> {
     pub rows: [i32; 2],
     /// Samples that may be drawn at all: the scissor and the polygon stipple.
     pub allowed: u64,
+}
+
+/// Depth along rows.
+pub struct DepthRow<'a, S: Simd> {
+    /// At row 0 of the surface.
+    across: S::F,
+    /// Planes of depth.
+    head: &'a [[f32; 4]; 2],
+}
+
+impl<'a, S: Simd> DepthRow<'a, S> {
+    /// Of a triangle with such planes, at columns x.
+    #[inline(always)]
+    pub fn new(planes: &'a [[f32; 4]], x: S::F) -> Self {
+        let head: &[[f32; 4]; 2] = planes.first_chunk().expect("planes of depth");
+        DepthRow { across: S::fma(x, S::f(head[0][1]), S::f(head[0][0])), head }
+    }
+
+    /// Tests row y and writes what passes. Returns what is outside or fails, as signs.
+    #[inline(always)]
+    pub fn test(&self, plan: &Plan, y: S::F, outside: S::I, words: &mut [u32; 8]) -> S::I {
+        let z = S::add(S::fma(y, S::f(self.head[0][2]), self.across), S::f(self.head[1][2]));
+        let z = depth_stencil::quantize::<S>(z, plan.depth_range, plan.depth_scale);
+        let old = S::load_u(words);
+        let old_z = S::and(old, S::i(0xff_ffff));
+        let outside = S::or(outside, S::xor(S::gt(S::iadd(old_z, S::i(plan.depth_bias)), z), S::i(-1)));
+        S::store_u(S::select(outside, old, S::or(S::andnot(S::i(0xff_ffff), old), z)), words);
+        outside
+    }
 }
 
 /// What colours a tile's rows.
@@ -109,7 +152,7 @@ pub fn tile<S: Simd, const MODE: u32>(plan: &Plan, t: &Triangle, planes: &[[f32;
     let p: &[[f32; 4]; 3] = planes[base..base + 3].try_into().expect("three");
     let (head, tail) = (planes[0], planes[1]);
     let x = S::add(S::f(place[0] as f32), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
-    let zx = S::fma(x, S::f(head[1]), S::f(head[0]));
+    let depth = DepthRow::<S>::new(planes, x);
     let wx = S::fma(x, S::f(tail[0]), S::f(head[3]));
     let perspective = plan.modes[k] == interpolation::PERSPECTIVE && t.flags & triangle_flags::PERSPECTIVE != 0;
     let mut colors = Colors::<S> { across: [S::f(0.0); 4], down: &p[2], perspective };
@@ -138,16 +181,10 @@ pub fn tile<S: Simd, const MODE: u32>(plan: &Plan, t: &Triangle, planes: &[[f32;
         let pixel = at + row as usize * 8;
         let y = S::f((place[1] + row) as f32);
         if MODE & DEPTH != 0 {
-            let z = S::add(S::fma(y, S::f(head[2]), zx), S::f(tail[2]));
-            let z = depth_stencil::quantize::<S>(z, plan.depth_range, plan.depth_scale);
-            let words = row8(bin.depth_stencil, pixel);
-            let old = S::load_u(words);
-            let old_z = S::and(old, S::i(0xff_ffff));
-            outside = S::or(outside, S::xor(S::gt(S::iadd(old_z, S::i(plan.depth_bias)), z), S::i(-1)));
+            outside = depth.test(plan, y, outside, row8(bin.depth_stencil, pixel));
             if S::signs(outside) == 0xff {
                 continue;
             }
-            S::store_u(S::select(outside, old, S::or(S::andnot(S::i(0xff_ffff), old), z)), words);
         }
         if perspective && !ahead {
             reciprocal = over_w::<S>(place[1] + row, tail[1], wx);
@@ -177,8 +214,10 @@ mod tests {
             (fragment_flags::LOGIC_OP, NONE),
         ] {
             let state = FragmentState { flags, depth_func: compare::LESS, blend_factors: [s, d, s, d], ..plain };
-            assert_eq!(choose(&state, format, true, !0), routine, "flags {flags:#x}");
-            assert_eq!(choose(&state, format, false, !0), NONE);
+            assert_eq!(choose(&state, format, [true, false], !0), routine, "flags {flags:#x}");
+            assert_eq!(choose(&state, format, [false; 2], !0), NONE);
+            let textured = if matches!(routine, DEPTH | COPY) { routine | TEXTURE } else { NONE };
+            assert_eq!(choose(&state, format, [false, true], !0), textured, "flags {flags:#x}");
         }
     }
 }

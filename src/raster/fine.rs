@@ -6,18 +6,19 @@
 
 use super::interpolate::Interpolator;
 use super::layout::*;
+use super::modulate::{Colors, Fragments, Source};
+use super::plan::Plan;
 use super::setup::Chunk;
 use super::simd::{Simd, eight, prefetch};
 use super::store::BinPixels;
+use super::texture::Prepared;
 use super::tile::{FULL, LocalEdges, rectangle_mask};
 use super::write::{Color, write};
-use super::{blend, clear, depth_stencil, fast, modulate, samples};
+use super::{blend, clear, depth_stencil, fast, modulate, samples, textured};
+use crate::device::SurfaceFormat;
 use crate::device::samples::MAX_SAMPLES;
-use crate::device::{ColorFormat, DepthFormat, SurfaceFormat};
-use crate::draw::texture::{TextureBinding, TextureKind};
 use crate::draw::{Batch, Clear};
 use crate::program::lanes::{Column4, Environment, FragmentResults, GROUPS, LANES, Machine, ZERO4};
-use crate::program::{Input, Modulate, Program, Shortcut};
 
 /// A piece of a batch, in order.
 #[derive(Clone, Copy)]
@@ -40,106 +41,6 @@ pub struct Scene<'a> {
     pub format: SurfaceFormat,
     /// Rows of the surface.
     pub height: u32,
-}
-
-/// How a draw's fragments are done: what is needed, decided once a batch.
-pub struct Plan<'a> {
-    /// The draw's record.
-    pub record: &'a DrawRecord,
-    /// Per-fragment operations.
-    pub state: &'a FragmentState,
-    /// The fragment program.
-    pub program: &'a Program,
-    /// The colour is this varying: no program runs.
-    pub direct: Option<usize>,
-    /// The colour is a varying times a texel: no program runs.
-    modulate: Option<Modulate>,
-    /// Depth and stencil are tested before the colour is known.
-    pub early: bool,
-    /// There is any depth or stencil test.
-    pub tests: bool,
-    /// Rows of the polygon stipple.
-    stipple: Option<&'a [u32; 32]>,
-    /// Storage of depth.
-    pub depth_format: DepthFormat,
-    /// Largest depth value.
-    pub depth_scale: f32,
-    /// What depth is clamped to.
-    pub depth_range: [f32; 2],
-    /// The blend colour, as pairs.
-    pub constant: (i32, i32),
-    /// Bits of a packed pixel that are written.
-    pub write_mask: u32,
-    /// Which routine of [`super::fast`] serves the draw: `fast::*`.
-    pub fast: u32,
-    /// Added to the stored depth before "less": 1 for LEQUAL.
-    pub depth_bias: i32,
-    /// Vec4 of a varying's planes that are interpolated: mode by varying.
-    pub modes: [u32; MAX_VARYINGS],
-}
-
-impl<'a> Plan<'a> {
-    /// For draw `index` of a batch on a surface.
-    pub fn new(batch: &'a Batch, index: usize, format: SurfaceFormat) -> Plan<'a> {
-        let draw = &batch.draws[index];
-        let state = &batch.fragment_states[draw.record.fragment_state as usize];
-        let raster = &batch.raster_states[draw.record.raster_state as usize];
-        let program = &*draw.fragment_program;
-        let direct = match program.shortcut {
-            Shortcut::Varying(k) if (k as u32) < draw.record.varying_count => Some(k as usize),
-            _ => None,
-        };
-        let flat_image = |t: &TextureBinding| matches!(t.image.kind, TextureKind::D1 | TextureKind::D2);
-        let modulate = match program.shortcut {
-            Shortcut::Modulate(what) if batch.textures.get(draw.record.first_texture as usize).is_some_and(flat_image) => Some(what),
-            _ => None,
-        };
-        let mut write_mask = blend::mask_bits(state.color_mask);
-        if format.color == ColorFormat::Rgbx8 {
-            write_mask |= 0xff00_0000;
-        }
-        Plan {
-            record: &draw.record,
-            state,
-            program,
-            direct,
-            modulate,
-            early: state.flags & (fragment_flags::ALPHA_TEST | fragment_flags::ALPHA_TO_COVERAGE) == 0
-                && !program.discards
-                && !program.writes_depth,
-            tests: state.flags & (fragment_flags::DEPTH_TEST | fragment_flags::STENCIL_TEST) != 0,
-            stipple: batch.polygon_stipples.get(raster.polygon_stipple as usize),
-            depth_format: format.depth,
-            depth_scale: format.depth.most() as f32,
-            depth_range: raster.depth_range,
-            constant: blend::constant_pairs(state),
-            write_mask,
-            fast: fast::choose(state, format, direct.is_some(), write_mask),
-            depth_bias: (state.depth_func == compare::LEQUAL) as i32,
-            modes: draw.record.varyings.map(|v| v >> 16 & 3),
-        }
-    }
-}
-
-impl Plan<'_> {
-    /// What the program reads.
-    pub fn inputs(&self) -> &[Input] {
-        &self.program.inputs
-    }
-
-    /// What serves the draw, in words.
-    pub fn routine(&self) -> &'static str {
-        match self.fast {
-            fast::DEPTH => "the depth-tested routine (colour passes through, no program)",
-            fast::BLEND => "the blending routine (colour passes through, no program, no tests)",
-            fast::DEPTH_BLEND => "the depth-tested blending routine (colour passes through, no program)",
-            fast::COPY => "the replacing routine (colour passes through, no program, no tests)",
-            _ if self.direct.is_some() => "the general routine without a program",
-            _ if self.modulate.is_some() => "the general routine with one texture (no program)",
-            _ if self.early => "the general routine with early tests and a program",
-            _ => "the general routine with a program before the tests",
-        }
-    }
 }
 
 /// A row of eight pixels that waits for its colour.
@@ -172,11 +73,11 @@ pub struct Row {
 }
 
 impl Scene<'_> {
-    /// The planes of a row's triangle.
+    /// The planes of a triangle of a work, by its first.
     #[inline(always)]
-    pub fn planes(&self, row: &Row) -> &[[f32; 4]] {
-        match self.work[row.work as usize] {
-            Work::Triangles(chunk) => &chunk.planes[row.planes as usize..],
+    pub fn planes(&self, work: u32, first: u32) -> &[[f32; 4]] {
+        match self.work[work as usize] {
+            Work::Triangles(chunk) => &chunk.planes[first as usize..],
             Work::Clear(_) => &[],
         }
     }
@@ -196,6 +97,8 @@ pub struct Worker {
     queued: usize,
     /// Lanes that the queued rows take.
     lanes: usize,
+    /// Fragments of one modulated texture.
+    fragments: Box<Fragments>,
     /// Tiles that were fully and partly covered.
     pub tiles: [u64; 2],
 }
@@ -212,6 +115,7 @@ impl Default for Worker {
             queue: Box::new([Row::default(); LANES * GROUPS]),
             queued: 0,
             lanes: 0,
+            fragments: Box::default(),
             tiles: [0; 2],
         }
     }
@@ -283,6 +187,8 @@ fn triangle<S: Simd>(worker: &mut Worker, scene: &Scene, t: &Triangle, planes: &
         fast::BLEND => tiles::<S, { fast::BLEND }>(worker, scene, plan, t, &local, planes, bin),
         fast::DEPTH_BLEND => tiles::<S, { fast::DEPTH_BLEND }>(worker, scene, plan, t, &local, planes, bin),
         fast::COPY => tiles::<S, { fast::COPY }>(worker, scene, plan, t, &local, planes, bin),
+        fast::TEXTURED_DEPTH => tiles::<S, { fast::TEXTURED_DEPTH }>(worker, scene, plan, t, &local, planes, bin),
+        fast::TEXTURED_COPY => tiles::<S, { fast::TEXTURED_COPY }>(worker, scene, plan, t, &local, planes, bin),
         _ => tiles::<S, { fast::NONE }>(worker, scene, plan, t, &local, planes, bin),
     }
 }
@@ -294,20 +200,29 @@ pub struct Extent {
     pub columns: (i32, i32),
     /// See `columns`.
     pub rows: (i32, i32),
+    /// Not all pixels that are covered may be drawn.
+    limited: bool,
 }
 
 impl Extent {
     /// Of a triangle in a bin.
     #[inline(always)]
-    pub fn new(t: &Triangle, bin: &BinPixels) -> Extent {
+    pub fn new(plan: &Plan, t: &Triangle, bin: &BinPixels) -> Extent {
+        let stippled = plan.stipple.is_some() && t.flags & triangle_flags::POLYGON != 0;
         let within = |span: u32, first: i32| ((span & 0xffff) as i32 - first, (span >> 16) as i32 - first);
-        Extent { origin: bin.origin, columns: within(t.columns, bin.origin[0]), rows: within(t.rows, bin.origin[1]) }
+        Extent {
+            origin: bin.origin,
+            columns: within(t.columns, bin.origin[0]),
+            rows: within(t.rows, bin.origin[1]),
+            limited: stippled || t.flags & triangle_flags::CUT != 0,
+        }
     }
 
     /// The tiles that columns or rows lie in.
     #[inline(always)]
-    pub fn tiles(&self, (first, last): (i32, i32)) -> std::ops::RangeInclusive<i32> {
-        first.max(0) / 8..=last.min(63) / 8
+    pub fn tiles(&self, (first, last): (i32, i32)) -> std::ops::Range<i32> {
+        // Shifts: a last one before the first tile is none.
+        first.max(0) >> 3..(last.min(63) >> 3) + 1
     }
 
     /// First and last row of a row of tiles.
@@ -320,6 +235,9 @@ impl Extent {
     #[inline(always)]
     pub fn allowed(&self, scene: &Scene, plan: &Plan, t: &Triangle, tx: i32, ty: i32) -> u64 {
         let mut allowed = FULL;
+        if !self.limited {
+            return allowed;
+        }
         if t.flags & triangle_flags::CUT != 0 {
             allowed &= rectangle_mask(tx * 8, ty * 8, self.columns, self.rows);
         }
@@ -342,17 +260,25 @@ fn tiles<S: Simd, const MODE: u32>(
     bin: &mut BinPixels,
 ) {
     let [ox, oy] = bin.origin;
-    let extent = Extent::new(t, bin);
+    let extent = Extent::new(plan, t, bin);
+    let source = Source { work: worker.work, planes: t.planes, perspective: t.flags & triangle_flags::PERSPECTIVE != 0 };
     for ty in extent.tiles(extent.rows) {
         let (first, last) = extent.rows_of(ty);
         for tx in extent.tiles(extent.columns) {
-            let Some(edges) = local.rows(tx * 8, ty * 8, first) else { continue };
+            // Rows of a quad go together where there is a texture.
+            let from = if MODE & fast::TEXTURE != 0 { first & !1 } else { first };
+            let Some(edges) = local.rows(tx * 8, ty * 8, from) else { continue };
             let allowed = extent.allowed(scene, plan, t, tx, ty);
             let full = edges.full && allowed == FULL;
             let tile = ((ty * 8 + tx) * 64) as usize;
             if MODE != fast::NONE {
                 let tile = fast::Tile { at: tile, place: [ox + tx * 8, oy + ty * 8], edges, rows: [first, last], allowed };
-                worker.tiles[!full as usize] += fast::tile::<S, MODE>(plan, t, planes, bin, tile) as u64;
+                let touched = if MODE & fast::TEXTURE != 0 {
+                    textured::tile::<S, MODE>(&mut worker.fragments, scene, plan, t.draw, source, planes, bin, tile)
+                } else {
+                    fast::tile::<S, MODE>(plan, t, planes, bin, tile)
+                };
+                worker.tiles[!full as usize] += touched as u64;
                 continue;
             }
             let mut mask = edges.mask(first, last) & allowed;
@@ -503,6 +429,7 @@ crate::dispatch! {
 /// Runs and writes what is queued.
 #[inline(always)]
 fn flush<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mut BinPixels) {
+    textured::flush::<S>(&mut worker.fragments, scene, draw, bin);
     if worker.queued != 0 {
         flush_at(S::LEVEL, worker, scene, draw, bin);
     }
@@ -524,7 +451,16 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
     let rows = &worker.queue[..count];
     let groups = lane_count.div_ceil(LANES);
     match (plan.modulate, env.textures.first()) {
-        (Some(what), Some(binding)) => modulate::run::<S>(what, scene, plan, binding, rows, lane_count, &mut worker.results.color),
+        (Some(what), Some(binding)) => {
+            let fragments = &mut worker.fragments;
+            for row in rows {
+                let source = Source { work: row.work, planes: row.planes, perspective: row.perspective };
+                fragments.push::<S>(source, row.at & !8, row.mask << (row.at & 8), what.lod);
+            }
+            let color = Colors::Columns(&mut worker.results.color);
+            modulate::run::<S>(scene, plan, what, &Prepared::new(binding), fragments, bin.origin, color);
+            fragments.clear();
+        }
         _ => {
             worker.interpolator.run::<S>(scene, plan, rows, lane_count, &mut worker.inputs);
             worker.machine.run_fragment(plan.program, &env, &worker.inputs, &mut worker.results, groups);
@@ -569,7 +505,7 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
             let place = samples::Place { pixel, place: row.place, front: row.front, several: row.several };
             let computed = plan.program.writes_depth.then_some(z);
             let covered = row.samples.map(|s| s & bits as u8);
-            samples::write::<S>(plan, scene, scene.planes(row), bin, place, covered, color, computed);
+            samples::write::<S>(plan, scene, scene.planes(row.work, row.planes), bin, place, covered, color, computed);
         } else {
             write::<S>(plan, scene.format, bin, pixel, row.front, z, S::mask(bits), color);
         }

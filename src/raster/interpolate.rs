@@ -3,8 +3,9 @@
 //! Small triangles leave two or three fragments in a row of eight pixels, so planes are evaluated fragment by fragment, the four
 //! components of a varying at a time; the values become columns, eight fragments a group, and only then are divided by w.
 
-use super::fine::{Plan, Row, Scene};
+use super::fine::{Row, Scene};
 use super::layout::*;
+use super::plan::Plan;
 use super::simd::{Simd, eight, eight_mut};
 use crate::program::Input;
 use crate::program::lanes::{Column4, GROUPS, LANES};
@@ -82,7 +83,7 @@ impl Interpolator {
         // A row holds a fragment at least.
         let mut planes_of: [&[[f32; 4]]; FRAGMENTS] = [&[]; FRAGMENTS];
         for (row, planes) in rows.iter().zip(&mut planes_of) {
-            *planes = scene.planes(row);
+            *planes = scene.planes(row.work, row.planes);
             let (head, tail) = (planes[0], planes[1]);
             let w = if row.perspective { [head[3], tail[0], tail[1]] } else { [1.0, 0.0, 0.0] };
             each_fragment(row, |lane, x| {
@@ -150,7 +151,7 @@ impl Interpolator {
                 continue;
             }
             for row in rows {
-                let planes = scene.planes(row);
+                let planes = scene.planes(row.work, row.planes);
                 let (head, tail) = (planes[0], planes[1]);
                 let y = row.place[1] as f32;
                 each_fragment(row, |lane, x| {

@@ -13,7 +13,9 @@ pub mod fine;
 pub mod formats;
 mod interpolate;
 pub mod layout;
+mod lod;
 mod modulate;
+pub mod plan;
 mod point_line;
 pub mod runs;
 pub mod samples;
@@ -25,8 +27,10 @@ pub mod store;
 #[cfg(feature = "study")]
 pub mod study;
 pub mod texture;
+mod texture_fetch;
 #[cfg(target_arch = "x86_64")]
 mod texture_wide;
+mod textured;
 pub mod tile;
 pub mod vertex;
 mod write;

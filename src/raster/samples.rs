@@ -3,8 +3,9 @@
 //! A bin holds its samples one after the other, so that the routines of one sample serve all of them.
 
 use super::depth_stencil;
-use super::fine::{Extent, Plan, Row, Scene, Worker, depth, direct_color, queue, row8};
+use super::fine::{Extent, Row, Scene, Worker, depth, direct_color, queue, row8};
 use super::layout::*;
+use super::plan::Plan;
 use super::simd::Simd;
 use super::store::{BIN_PIXELS, BinPixels};
 use super::tile::{FULL, LocalEdges};
@@ -59,7 +60,7 @@ pub fn tiles<S: Simd>(
             *edges = centre.sample(at);
         }
     }
-    let extent = Extent::new(t, bin);
+    let extent = Extent::new(plan, t, bin);
     for ty in extent.tiles(extent.rows) {
         let (first, last) = extent.rows_of(ty);
         for tx in extent.tiles(extent.columns) {

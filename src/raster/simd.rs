@@ -1,7 +1,7 @@
 //! Eight lanes at a time: the vocabulary of the CPU executor's inner loops, with two spellings that give the same bits.
 //!
 //! A kernel is one generic function, marked `#[inline(always)]`; [`Level`] says which spelling it is instantiated
-//! with. The AVX2 spelling may only be reached through a function that enables `avx2,fma`, which `dispatch!` makes.
+//! with. The AVX2 spelling may only be reached through a function that enables `avx2,fma,popcnt`, which `dispatch!` makes.
 
 use std::sync::OnceLock;
 
@@ -69,6 +69,12 @@ pub trait Simd: Copy + 'static {
     fn max16(a: Self::I, b: Self::I) -> Self::I;
     /// Four components of a pixel to a byte each, the first lowest; below 0 becomes 0, above 255 becomes 255.
     fn bytes(c: [Self::I; 4]) -> Self::I;
+    /// Two pixels of four components: those of a in the first four lanes.
+    fn two(a: &[f32; 4], b: &[f32; 4]) -> Self::F;
+    /// a in the first four lanes, b in the others.
+    fn halves(a: f32, b: f32) -> Self::F;
+    /// Of integers in the form of `two`, pixels k and k + 4: eight pixels, clamped like [`Simd::bytes`].
+    fn bytes_of_twos(c: [Self::I; 4]) -> Self::I;
     /// A mask of the lanes whose bit is set.
     fn mask(bits: u32) -> Self::I;
     /// Four planes (a0, d/dx, d/dy) at `count` places of a row: fma(y, dy, fma(x, dx, a0)). What follows them is anything.
@@ -79,6 +85,10 @@ pub trait Simd: Copy + 'static {
     fn expand(a: Self::I, bits: u32) -> Self::I;
     /// The numbers of the lanes whose bit is set, in their order, in the first lanes; the others are anything.
     fn set_lanes(bits: u32) -> Self::I;
+    /// The lanes whose bit is set, in their order, in the first lanes; the others are anything.
+    fn pack(a: Self::I, bits: u32) -> Self::I;
+    /// Of each lane whose bit is set, how many of the lanes before it are.
+    fn ranks(bits: u32) -> Self::I;
 }
 
 /// Eight lanes of a column from any lane on.
@@ -171,7 +181,7 @@ fn zip<T: Copy, U: Copy + Default>(a: [T; 8], b: [T; 8], f: impl Fn(T, T) -> U) 
     r
 }
 #[inline(always)]
-fn halves(a: i32, b: i32, f: impl Fn(u16, u16) -> u16) -> i32 {
+fn by_halves(a: i32, b: i32, f: impl Fn(u16, u16) -> u16) -> i32 {
     (f(a as u16, b as u16) as u32 | (f((a as u32 >> 16) as u16, (b as u32 >> 16) as u16) as u32) << 16) as i32
 }
 
@@ -328,27 +338,27 @@ impl Simd for Portable {
     }
     #[inline(always)]
     fn mul16(a: Self::I, b: Self::I) -> Self::I {
-        zip(a, b, |a, b| halves(a, b, u16::wrapping_mul))
+        zip(a, b, |a, b| by_halves(a, b, u16::wrapping_mul))
     }
     #[inline(always)]
     fn add16(a: Self::I, b: Self::I) -> Self::I {
-        zip(a, b, |a, b| halves(a, b, u16::wrapping_add))
+        zip(a, b, |a, b| by_halves(a, b, u16::wrapping_add))
     }
     #[inline(always)]
     fn sub16(a: Self::I, b: Self::I) -> Self::I {
-        zip(a, b, |a, b| halves(a, b, u16::wrapping_sub))
+        zip(a, b, |a, b| by_halves(a, b, u16::wrapping_sub))
     }
     #[inline(always)]
     fn shr16<const N: i32>(a: Self::I) -> Self::I {
-        map(a, |a| halves(a, 0, |x, _| x >> N))
+        map(a, |a| by_halves(a, 0, |x, _| x >> N))
     }
     #[inline(always)]
     fn min16(a: Self::I, b: Self::I) -> Self::I {
-        zip(a, b, |a, b| halves(a, b, |x, y| (x as i16).min(y as i16) as u16))
+        zip(a, b, |a, b| by_halves(a, b, |x, y| (x as i16).min(y as i16) as u16))
     }
     #[inline(always)]
     fn max16(a: Self::I, b: Self::I) -> Self::I {
-        zip(a, b, |a, b| halves(a, b, |x, y| (x as i16).max(y as i16) as u16))
+        zip(a, b, |a, b| by_halves(a, b, |x, y| (x as i16).max(y as i16) as u16))
     }
     #[inline(always)]
     fn bytes(c: [Self::I; 4]) -> Self::I {
@@ -356,6 +366,24 @@ impl Simd for Portable {
         for k in 0..8 {
             for (byte, lanes) in c.iter().enumerate() {
                 r[k] |= lanes[k].clamp(0, 255) << (8 * byte);
+            }
+        }
+        r
+    }
+    #[inline(always)]
+    fn two(a: &[f32; 4], b: &[f32; 4]) -> Self::F {
+        [a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]]
+    }
+    #[inline(always)]
+    fn halves(a: f32, b: f32) -> Self::F {
+        [a, a, a, a, b, b, b, b]
+    }
+    #[inline(always)]
+    fn bytes_of_twos(c: [Self::I; 4]) -> Self::I {
+        let mut r = [0; 8];
+        for k in 0..8 {
+            for byte in 0..4 {
+                r[k] |= c[k % 4][k / 4 * 4 + byte].clamp(0, 255) << (8 * byte);
             }
         }
         r
@@ -390,6 +418,14 @@ impl Simd for Portable {
     fn set_lanes(bits: u32) -> Self::I {
         map(SET_LANES[bits as usize & 255], i32::from)
     }
+    #[inline(always)]
+    fn pack(a: Self::I, bits: u32) -> Self::I {
+        Self::permute(a, &SET_LANES[bits as usize & 255])
+    }
+    #[inline(always)]
+    fn ranks(bits: u32) -> Self::I {
+        map(MOVES[bits as usize & 255], i32::from)
+    }
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -410,7 +446,7 @@ impl Level {
         static BEST: OnceLock<Level> = OnceLock::new();
         *BEST.get_or_init(|| {
             #[cfg(target_arch = "x86_64")]
-            if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+            if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") && is_x86_feature_detected!("popcnt") {
                 return Level::Avx2;
             }
             Level::Scalar
@@ -447,7 +483,7 @@ macro_rules! dispatch {
         $vis fn $name $(<$($l),+>)? (level: $crate::raster::simd::Level, $($a: $t),*) $(-> $r)? {
             #[cfg(target_arch = "x86_64")]
             {
-                #[target_feature(enable = "avx2,fma")]
+                #[target_feature(enable = "avx2,fma,popcnt")]
                 fn wide $(<$($l),+>)? ($($a: $t),*) $(-> $r)? {
                     $kernel::<$crate::raster::simd::Avx2>($($a),*)
                 }

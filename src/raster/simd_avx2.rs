@@ -131,12 +131,28 @@ impl Simd for Avx2 {
         let deal = _mm_setr_epi8(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
         _mm256_shuffle_epi8(four, _mm256_broadcastsi128_si256(deal))
     });
+    op!(two(a: &[f32; 4], b: &[f32; 4]) -> Self::F, std::arch::x86_64::_mm256_loadu2_m128(b.as_ptr(), a.as_ptr()));
+    op!(halves(a: f32, b: f32) -> Self::F, {
+        use std::arch::x86_64::*;
+        _mm256_set_m128(_mm_set1_ps(b), _mm_set1_ps(a))
+    });
+    op!(bytes_of_twos(c: [Self::I; 4]) -> Self::I, {
+        use std::arch::x86_64::*;
+        _mm256_packus_epi16(_mm256_packs_epi32(c[0], c[1]), _mm256_packs_epi32(c[2], c[3]))
+    });
     op!(mask(bits: u32) -> Self::I, {
         std::arch::x86_64::_mm256_cvtepi8_epi32(std::arch::x86_64::_mm_loadl_epi64(MASKS[bits as usize & 255].as_ptr().cast()))
     });
     op!(set_lanes(bits: u32) -> Self::I, {
         std::arch::x86_64::_mm256_cvtepu8_epi32(std::arch::x86_64::_mm_loadl_epi64(SET_LANES[bits as usize & 255].as_ptr().cast()))
     });
+    op!(ranks(bits: u32) -> Self::I, {
+        std::arch::x86_64::_mm256_cvtepu8_epi32(std::arch::x86_64::_mm_loadl_epi64(MOVES[bits as usize & 255].as_ptr().cast()))
+    });
+    #[inline(always)]
+    fn pack(a: Self::I, bits: u32) -> Self::I {
+        Self::permute(a, &SET_LANES[bits as usize & 255])
+    }
     op!(min16(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_min_epi16(a, b));
     op!(planes(planes: &[[f32; 4]; 3], x: &[f32; 8], y: f32, count: usize, to: &mut [[f32; 4]; 8]) -> (), {
         use std::arch::x86_64::*;

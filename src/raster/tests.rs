@@ -287,13 +287,16 @@ fn a_modulated_texture_has_the_bits_of_its_program() {
     for vertex in soup.iter_mut().skip(300).step_by(3) {
         vertex[0][0] += vertex[0][3] * 0.5;
     }
-    for (lod, base, filters, wrap) in [
-        (true, Base::Rgba, (true, true, Some(true)), Wrap::Repeat),
-        (true, Base::Rgb, (true, true, Some(true)), Wrap::Clamp),
-        (true, Base::Alpha, (true, false, Some(false)), Wrap::MirroredRepeat),
-        (true, Base::Rgba, (false, false, Some(true)), Wrap::ClampToEdge),
-        (false, Base::Rgba, (true, true, None), Wrap::Repeat),
-        (false, Base::Luminance, (false, false, None), Wrap::ClampToBorder),
+    // With the routine of one texture, with depth and without, and with the general one.
+    let blended = TESTED | fragment_flags::BLEND;
+    for (flags, lod, base, filters, wrap) in [
+        (TESTED, true, Base::Rgba, (true, true, Some(true)), Wrap::Repeat),
+        (0, true, Base::Rgb, (true, true, Some(true)), Wrap::Clamp),
+        (TESTED, true, Base::Alpha, (true, false, Some(false)), Wrap::MirroredRepeat),
+        (blended, true, Base::Rgba, (false, false, Some(true)), Wrap::ClampToEdge),
+        (TESTED, false, Base::Rgba, (true, true, None), Wrap::Repeat),
+        (0, false, Base::Luminance, (false, false, None), Wrap::ClampToBorder),
+        (blended, true, Base::Rgba, (true, true, Some(true)), Wrap::Repeat),
     ] {
         let mut key = FragmentKey::default();
         key.units[0] = UnitKey { enabled: true, lod, base, ..UnitKey::default() };
@@ -308,13 +311,13 @@ fn a_modulated_texture_has_the_bits_of_its_program() {
         let full = Arc::new(Program::new(Stage::Fragment, short.wgsl.clone(), interface).expect("a program"));
         let texture = noise_texture([32, 8], filters, wrap);
         let run = |program: &Arc<Program>, level| {
-            draw_program(&soup, topology::TRIANGLES, TESTED, 2, level, program.clone(), vec![texture.clone()])
+            draw_program(&soup, topology::TRIANGLES, flags, 2, level, program.clone(), vec![texture.clone()])
         };
         let one = run(&full, Level::Scalar);
         assert!(one.0.iter().any(|&c| c != 0));
         for level in [Level::Scalar, Level::best()] {
             for program in [&full, &short] {
-                assert!(one == run(program, level), "{base:?}, filters {filters:?}, {wrap:?}, {level:?}");
+                assert!(one == run(program, level), "flags {flags}, {base:?}, filters {filters:?}, {wrap:?}, {level:?}");
             }
         }
     }

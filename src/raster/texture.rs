@@ -1,37 +1,174 @@
 //! Texture sampling (3.8.7, 3.8.8), the intrinsic `texture_sample` of programs: eight lanes at a time, exact f32 filtering.
-//!
-//! The level of detail is `log2(max(|d/dx|, |d/dy|))` in texels, the ideal function of equation 3.20.
+
+use super::lod::{self, runs_on};
+use super::simd::{self, Level};
+use super::texture_fetch::{Fetch, linear_axis, nearest};
+use std::slice::{from_mut, from_ref};
 
 #[cfg(target_arch = "x86_64")]
-use super::texture_wide;
+use super::texture_wide::{self, Pyramid};
 use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
-use crate::program::lanes::{LANES, Simd, math};
+use crate::program::lanes::{LANES, Simd};
 
-type Lanes = [f32; LANES];
-type Indices = [i32; LANES];
+/// A component of eight lanes.
+pub type Lanes = [f32; LANES];
+/// Whole numbers of eight lanes.
+pub type Indices = [i32; LANES];
 
-/// Index of a texel that is the border colour.
-const BORDER: i32 = -1;
+/// Four components of eight lanes, lane by lane.
+pub type Texels = [[f32; 4]; LANES];
 
-/// Samples one group of lanes: `coord` is s, t, r and an unused fourth; `gradients` the derivatives of s, t, r in x and y
-/// of the raster, absent where no level of detail is wanted.
-pub fn sample_group(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>, level: Simd) -> [Lanes; 4] {
-    match level {
-        Simd::Scalar => sample::<false>(binding, coord, gradients),
-        // SAFETY: `Simd::Avx2` exists only where the processor has AVX2 and FMA.
+/// A texture that is about to be sampled often.
+pub struct Prepared<'a> {
+    image: &'a TextureImage,
+    sampler: &'a Sampler,
+    /// For the commonest filter between levels.
+    #[cfg(target_arch = "x86_64")]
+    pyramid: Option<Pyramid<'a>>,
+}
+
+impl<'a> Prepared<'a> {
+    /// Looks at what does not change from sample to sample.
+    pub fn new(binding: &'a TextureBinding) -> Prepared<'a> {
+        let (image, sampler) = (&*binding.image, &binding.sampler);
+        Prepared {
+            image,
+            sampler,
+            #[cfg(target_arch = "x86_64")]
+            pyramid: (image.format == TexelFormat::Rgba8 && image.kind == TextureKind::D2 && sampler.mag_linear && runs_on(sampler))
+                .then(|| Pyramid::new(&image.levels, [sampler.wrap[0], sampler.wrap[1]]))
+                .flatten(),
+        }
+    }
+
+    /// Samples one group of lanes: `coord` is s, t, r and an unused fourth; `gradients` the derivatives of s, t, r in x and y
+    /// of the raster, absent where no level of detail is wanted.
+    pub fn group(&self, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>, level: Simd) -> [Lanes; 4] {
+        let level = if level == Simd::Scalar { Level::Scalar } else { Level::Avx2 };
+        group_at(level, self, coord, gradients)
+    }
+
+    /// λ of eight lanes on a flat image, from the derivatives of s and t in x and y.
+    #[inline(always)]
+    pub fn flat_lambda<S: simd::Simd>(&self, gradients: [[S::F; 2]; 2]) -> S::F {
+        match self.image.levels.first() {
+            Some(base) => lod::flat::<S>(self.image.kind, self.sampler, base, gradients),
+            None => S::f(0.0),
+        }
+    }
+
+    /// Samples a flat image at s and t of groups of lanes, with λ where a level of detail is wanted.
+    #[inline(always)]
+    pub fn flat<S: simd::Simd>(&self, coord: [&[Lanes]; 2], lambda: Option<&[Lanes]>, to: &mut [Texels]) {
+        let Some(base) = self.image.levels.first() else { return to.fill(rows(&NOTHING)) };
+        if !self.wide::<S>(base, coord, &[], lambda, to) {
+            for (g, to) in to.iter_mut().enumerate() {
+                let position = Position { s: coord[0][g], t: coord[1][g], r: [0.0; LANES], face: [0; LANES] };
+                *to = rows(&at_levels_at(S::LEVEL, self.image, self.sampler, base, &position, lambda.map(|lambda| lambda[g])));
+            }
+        }
+    }
+
+    /// The commonest filters, where the processor has AVX2; false for others.
+    #[inline(always)]
+    fn wide<S: simd::Simd>(
+        &self,
+        base: &TextureLevel,
+        coord: [&[Lanes]; 2],
+        faces: &[Indices],
+        lambda: Option<&[Lanes]>,
+        to: &mut [Texels],
+    ) -> bool {
+        let Some(lambda) = lambda else {
+            return wide_level::<S>(self.image, self.sampler, base, self.sampler.mag_linear, coord, faces, to);
+        };
         #[cfg(target_arch = "x86_64")]
-        Simd::Avx2 => unsafe { sample_avx2(binding, coord, gradients) },
-        #[cfg(not(target_arch = "x86_64"))]
-        Simd::Avx2 => sample::<false>(binding, coord, gradients),
+        if S::LEVEL == Level::Avx2
+            && let Some(pyramid) = &self.pyramid
+        {
+            // SAFETY: the level is AVX2.
+            unsafe { pyramid.trilinear(coord, lambda, to) };
+            return true;
+        }
+        let _ = lambda;
+        false
     }
 }
 
-/// # Safety
-/// The processor must have AVX2 and FMA.
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-unsafe fn sample_avx2(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
-    sample::<true>(binding, coord, gradients)
+crate::dispatch! {
+    /// [`Prepared::group`] at a level.
+    fn group_at = sample<'a>(texture: &Prepared<'a>, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4]
+}
+
+#[inline(always)]
+fn sample<S: simd::Simd>(texture: &Prepared, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
+    let (image, sampler) = (texture.image, texture.sampler);
+    let Some(base) = image.levels.first() else { return NOTHING };
+    let position = match image.kind {
+        TextureKind::Cube => cube_position(coord),
+        _ => Position { s: coord[0], t: coord[1], r: coord[2], face: [0; LANES] },
+    };
+    let lambda = gradients.map(|gradients| lod::group::<S>(image, sampler, base, coord, gradients, &position));
+    let mut texels = [[0.0; 4]; LANES];
+    if texture.wide::<S>(base, position.coord(), &[position.face], lambda.as_ref().map(from_ref), from_mut(&mut texels)) {
+        return columns::<S>(&texels);
+    }
+    at_levels::<S>(image, sampler, base, &position, lambda)
+}
+
+crate::dispatch! {
+    /// [`at_levels`] at a level, not inlined: what is sampled by it is seldom.
+    fn at_levels_at = at_levels(image: &TextureImage, sampler: &Sampler, base: &TextureLevel, position: &Position, lambda: Option<Lanes>) -> [Lanes; 4]
+}
+
+/// What an image without texels gives.
+const NOTHING: [Lanes; 4] = [[0.0; LANES], [0.0; LANES], [0.0; LANES], [1.0; LANES]];
+
+#[inline(always)]
+fn rows(columns: &[Lanes; 4]) -> Texels {
+    let mut rows = [[0.0; 4]; LANES];
+    for (lane, row) in rows.iter_mut().enumerate() {
+        for c in 0..4 {
+            row[c] = columns[c][lane];
+        }
+    }
+    rows
+}
+
+#[inline(always)]
+fn columns<S: simd::Simd>(rows: &Texels) -> [Lanes; 4] {
+    let mut columns = [[0.0; LANES]; 4];
+    let of = S::columns(rows.each_ref());
+    for c in 0..4 {
+        S::store(of[c], &mut columns[c]);
+    }
+    columns
+}
+
+/// One level, where the processor has AVX2; false for what is not common.
+#[inline(always)]
+fn wide_level<S: simd::Simd>(
+    image: &TextureImage,
+    sampler: &Sampler,
+    level: &TextureLevel,
+    linear: bool,
+    coord: [&[Lanes]; 2],
+    faces: &[Indices],
+    to: &mut [Texels],
+) -> bool {
+    if S::LEVEL != Level::Avx2 || image.format != TexelFormat::Rgba8 || image.kind == TextureKind::D3 {
+        return false;
+    }
+    // A 1D image is a row: whatever t is, clamping it finds that row.
+    let wrap = [sampler.wrap[0], if image.kind == TextureKind::D1 { Wrap::ClampToEdge } else { sampler.wrap[1] }];
+    let layers = image.kind != TextureKind::Cube || level.depth >= 6;
+    #[cfg(target_arch = "x86_64")]
+    if layers && texture_wide::serves(level, wrap, linear) {
+        // SAFETY: the level is AVX2; a face is below 6, and 0 on other images.
+        unsafe { texture_wide::sample(level, wrap, linear, coord, faces, to) };
+        return true;
+    }
+    false
 }
 
 /// How a lane is filtered: from which level, with which filter, and how far towards the next level.
@@ -43,29 +180,20 @@ struct Choice {
     blend: f32,
 }
 
+/// Samples by any filter of any image.
 #[inline(always)]
-fn sample<const WIDE: bool>(binding: &TextureBinding, coord: &[Lanes; 4], gradients: Option<[&[Lanes; 3]; 2]>) -> [Lanes; 4] {
-    let (image, sampler) = (&*binding.image, &binding.sampler);
-    let Some(base) = image.levels.first() else { return [[0.0; LANES], [0.0; LANES], [0.0; LANES], [1.0; LANES]] };
-    let position = match image.kind {
-        TextureKind::Cube => cube_position(coord),
-        _ => Position { s: coord[0], t: coord[1], r: coord[2], face: [0; LANES] },
-    };
-    let Some(gradients) = gradients else {
-        return sample_level::<WIDE>(image, sampler, base, sampler.mag_linear, &position);
-    };
-    let lambda = level_of_detail(image, sampler, base, coord, gradients, &position);
-    #[cfg(target_arch = "x86_64")]
-    if WIDE && image.format == TexelFormat::Rgba8 && image.kind == TextureKind::D2 && sampler.mag_linear && runs_on(sampler) {
-        // SAFETY: `WIDE` is true on processors with AVX2 only.
-        if let Some(texel) = unsafe { texture_wide::trilinear(&image.levels, [sampler.wrap[0], sampler.wrap[1]], coord, &lambda) } {
-            return texel;
-        }
-    }
+fn at_levels<S: simd::Simd>(
+    image: &TextureImage,
+    sampler: &Sampler,
+    base: &TextureLevel,
+    position: &Position,
+    lambda: Option<Lanes>,
+) -> [Lanes; 4] {
+    let Some(lambda) = lambda else { return sample_level::<S>(image, sampler, base, sampler.mag_linear, position) };
     let choices = lambda.map(|lambda| choose(image, sampler, lambda));
     let first = choices[0];
     if choices.iter().all(|c| (c.level, c.linear) == (first.level, first.linear)) {
-        return sample_choice::<WIDE>(image, sampler, first, choices.map(|c| c.blend), &position);
+        return sample_choice::<S>(image, sampler, first, choices.map(|c| c.blend), &position);
     }
     // Lanes that disagree (a quad each): every choice samples all lanes, and the lanes that made it take the result.
     let mut result = [[0.0; LANES]; 4];
@@ -75,7 +203,7 @@ fn sample<const WIDE: bool>(binding: &TextureBinding, coord: &[Lanes; 4], gradie
             continue;
         }
         let choice = choices[lane];
-        let texel = sample_choice::<WIDE>(image, sampler, choice, choices.map(|c| c.blend), &position);
+        let texel = sample_choice::<S>(image, sampler, choice, choices.map(|c| c.blend), &position);
         for other in lane..LANES {
             if (choices[other].level, choices[other].linear) == (choice.level, choice.linear) {
                 done[other] = true;
@@ -89,11 +217,22 @@ fn sample<const WIDE: bool>(binding: &TextureBinding, coord: &[Lanes; 4], gradie
 }
 
 /// Where the lanes sample: coordinates on the image (or on a cube's face).
-struct Position {
-    s: Lanes,
-    t: Lanes,
-    r: Lanes,
-    face: Indices,
+pub struct Position {
+    /// Coordinates.
+    pub s: Lanes,
+    /// See `s`.
+    pub t: Lanes,
+    /// See `s`.
+    pub r: Lanes,
+    /// A cube's face.
+    pub face: Indices,
+}
+
+impl Position {
+    /// s and t, as one group of lanes.
+    fn coord(&self) -> [&[Lanes]; 2] {
+        [from_ref(&self.s), from_ref(&self.t)]
+    }
 }
 
 /// Table 3.19: the face of the largest component, and the coordinates on it.
@@ -120,7 +259,8 @@ fn major_face([x, y, z]: [f32; 3]) -> usize {
     }
 }
 
-fn on_face(face: usize, [x, y, z]: [f32; 3]) -> [f32; 2] {
+/// Coordinates on a cube's face.
+pub fn on_face(face: usize, [x, y, z]: [f32; 3]) -> [f32; 2] {
     let (sc, tc, ma) = match face {
         0 => (-z, -y, x),
         1 => (z, -y, x),
@@ -130,66 +270,6 @@ fn on_face(face: usize, [x, y, z]: [f32; 3]) -> [f32; 2] {
         _ => (-x, -y, z),
     };
     [0.5 * (sc / ma.abs() + 1.0), 0.5 * (tc / ma.abs() + 1.0)]
-}
-
-/// λ of every lane, biased and clamped (3.8.8).
-#[inline(always)]
-fn level_of_detail(
-    image: &TextureImage,
-    sampler: &Sampler,
-    base: &TextureLevel,
-    coord: &[Lanes; 4],
-    gradients: [&[Lanes; 3]; 2],
-    position: &Position,
-) -> Lanes {
-    let size = [base.width as f32, base.height as f32, base.depth as f32];
-    // Loops, not `map`: closures for it are compiled for the baseline, outside of the functions of a level.
-    let mut rho2 = [0.0f32; LANES];
-    for gradient in gradients {
-        // One loop a kind, so that each becomes vector instructions.
-        let square: Lanes = match image.kind {
-            TextureKind::D1 => std::array::from_fn(|i| (gradient[0][i] * size[0]) * (gradient[0][i] * size[0])),
-            TextureKind::D2 => std::array::from_fn(|i| {
-                let d = [gradient[0][i] * size[0], gradient[1][i] * size[1]];
-                d[0] * d[0] + d[1] * d[1]
-            }),
-            TextureKind::D3 => std::array::from_fn(|i| {
-                let d = [gradient[0][i] * size[0], gradient[1][i] * size[1], gradient[2][i] * size[2]];
-                d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
-            }),
-            TextureKind::Cube => std::array::from_fn(|i| {
-                let next = [0, 1, 2].map(|c| coord[c][i] + gradient[c][i]);
-                let [s, t] = on_face(position.face[i] as usize, next);
-                let d = [(s - position.s[i]) * size[0], (t - position.t[i]) * size[1]];
-                d[0] * d[0] + d[1] * d[1]
-            }),
-        };
-        for i in 0..LANES {
-            rho2[i] = math::max(rho2[i], square[i]);
-        }
-    }
-    // Where the colour runs on from level to level without a jump, the logarithm need not be exact to the last bit.
-    let mut log2 = [0.0; LANES];
-    if runs_on(sampler) {
-        for i in 0..LANES {
-            log2[i] = math::log2_near(rho2[i]);
-        }
-    } else {
-        for i in 0..LANES {
-            log2[i] = math::log2(rho2[i]);
-        }
-    }
-    let mut lambda = [0.0; LANES];
-    for i in 0..LANES {
-        let biased = 0.5 * log2[i] + sampler.lod_bias;
-        lambda[i] = math::min(math::max(biased, sampler.lod_range[0]), sampler.lod_range[1]);
-    }
-    lambda
-}
-
-/// Levels are blended, and one filter serves magnification and minification.
-fn runs_on(sampler: &Sampler) -> bool {
-    sampler.mip_linear == Some(true) && sampler.mag_linear == sampler.min_linear
 }
 
 /// Magnification or minification, and which levels (3.8.8, 3.8.9).
@@ -219,18 +299,12 @@ fn choose(image: &TextureImage, sampler: &Sampler, lambda: f32) -> Choice {
 
 /// Samples all lanes at one choice's level, and blends with the next level where a lane asks for it.
 #[inline(always)]
-fn sample_choice<const WIDE: bool>(
-    image: &TextureImage,
-    sampler: &Sampler,
-    choice: Choice,
-    blend: Lanes,
-    position: &Position,
-) -> [Lanes; 4] {
-    let mut near = sample_level::<WIDE>(image, sampler, &image.levels[choice.level], choice.linear, position);
+fn sample_choice<S: simd::Simd>(image: &TextureImage, sampler: &Sampler, choice: Choice, blend: Lanes, position: &Position) -> [Lanes; 4] {
+    let mut near = sample_level::<S>(image, sampler, &image.levels[choice.level], choice.linear, position);
     if let Some(next) = image.levels.get(choice.level + 1)
         && blend.iter().any(|b| *b != 0.0)
     {
-        let far = sample_level::<WIDE>(image, sampler, next, choice.linear, position);
+        let far = sample_level::<S>(image, sampler, next, choice.linear, position);
         for c in 0..4 {
             near[c] = lerp(&near[c], &far[c], &blend);
         }
@@ -245,18 +319,12 @@ fn lerp(a: &Lanes, b: &Lanes, t: &Lanes) -> Lanes {
 
 /// Samples one level with one filter.
 #[inline(always)]
-fn sample_level<const WIDE: bool>(image: &TextureImage, sampler: &Sampler, level: &TextureLevel, linear: bool, p: &Position) -> [Lanes; 4] {
+fn sample_level<S: simd::Simd>(image: &TextureImage, sampler: &Sampler, level: &TextureLevel, linear: bool, p: &Position) -> [Lanes; 4] {
     let (w, h, d) = (level.width as i32, level.height as i32, level.depth as i32);
     let flat = image.kind == TextureKind::D1;
-    #[cfg(target_arch = "x86_64")]
-    if WIDE && image.format == TexelFormat::Rgba8 && image.kind != TextureKind::D3 {
-        // A 1D image is a row: whatever t is, clamping it finds that row.
-        let wrap = [sampler.wrap[0], if flat { Wrap::ClampToEdge } else { sampler.wrap[1] }];
-        let layers = image.kind != TextureKind::Cube || level.depth >= 6;
-        if layers && texture_wide::serves(level, wrap, linear) {
-            // SAFETY: `WIDE` is true on processors with AVX2 only; a face is below 6, and 0 on other images.
-            return unsafe { texture_wide::sample(level, wrap, linear, &p.s, &p.t, &p.face) };
-        }
+    let mut texels = [[0.0; 4]; LANES];
+    if wide_level::<S>(image, sampler, level, linear, p.coord(), &[p.face], from_mut(&mut texels)) {
+        return columns::<S>(&texels);
     }
     let fetch = Fetch { level, format: image.format, border: &sampler.border };
     if !linear {
@@ -288,102 +356,6 @@ fn blend4(a: [Lanes; 4], b: [Lanes; 4], t: &Lanes) -> [Lanes; 4] {
     [lerp(&a[0], &b[0], t), lerp(&a[1], &b[1], t), lerp(&a[2], &b[2], t), lerp(&a[3], &b[3], t)]
 }
 
-/// Fraction of a coordinate in its period, mirrored in every other one.
-#[inline(always)]
-fn mirrored(c: f32) -> f32 {
-    let whole = c.floor();
-    let odd = whole - 2.0 * (whole * 0.5).floor() != 0.0;
-    let part = c - whole;
-    if odd { 1.0 - part } else { part }
-}
-
-/// Index of the nearest texel, or [`BORDER`] (table 3.18 and the wrap modes of 3.8.7).
-#[inline(always)]
-fn nearest(coord: &Lanes, size: i32, wrap: Wrap) -> Indices {
-    let n = size as f32;
-    match wrap {
-        // The fraction of a tiny negative number rounds to 1.
-        Wrap::Repeat => coord.map(|c| (((c - c.floor()) * n).floor() as i32).clamp(0, size - 1)),
-        Wrap::Clamp | Wrap::ClampToEdge => coord.map(|c| ((c * n).floor() as i32).clamp(0, size - 1)),
-        Wrap::ClampToBorder => coord.map(|c| {
-            let i = (c * n).floor() as i32;
-            if i < 0 || i >= size { BORDER } else { i }
-        }),
-        Wrap::MirroredRepeat => coord.map(|c| ((mirrored(c) * n).floor() as i32).clamp(0, size - 1)),
-    }
-}
-
-/// Indices of the two texels around a coordinate, and the weight of the second.
-#[inline(always)]
-fn linear_axis(coord: &Lanes, size: i32, wrap: Wrap) -> ([Indices; 2], Lanes) {
-    let n = size as f32;
-    let u = match wrap {
-        Wrap::Repeat => coord.map(|c| (c - c.floor()) * n - 0.5),
-        Wrap::Clamp => coord.map(|c| math::min(math::max(c, 0.0), 1.0) * n - 0.5),
-        Wrap::ClampToEdge => coord.map(|c| math::min(math::max(c * n, 0.5), n - 0.5) - 0.5),
-        Wrap::ClampToBorder => coord.map(|c| math::min(math::max(c * n, -0.5), n + 0.5) - 0.5),
-        Wrap::MirroredRepeat => coord.map(|c| math::min(math::max(mirrored(c) * n, 0.5), n - 0.5) - 0.5),
-    };
-    let floor = u.map(f32::floor);
-    let weight = std::array::from_fn(|i| u[i] - floor[i]);
-    let low = floor.map(|f| f as i32);
-    let indices = match wrap {
-        Wrap::Repeat => {
-            [low.map(|i| if i < 0 { size - 1 } else { i.min(size - 1) }), low.map(|i| if i + 1 >= size { 0 } else { (i + 1).max(0) })]
-        }
-        Wrap::ClampToEdge | Wrap::MirroredRepeat => {
-            [low.map(|i| i.clamp(0, size - 1)), low.map(|i| (i.saturating_add(1)).clamp(0, size - 1))]
-        }
-        Wrap::Clamp | Wrap::ClampToBorder => {
-            let or_border = |i: i32| if i < 0 || i >= size { BORDER } else { i };
-            [low.map(or_border), low.map(|i| or_border(i.saturating_add(1)))]
-        }
-    };
-    (indices, weight)
-}
-
-/// Fetches texels of a level; components of 8 bits count from 0 to 255 until [`Fetch::scaled`].
-struct Fetch<'a> {
-    level: &'a TextureLevel,
-    format: TexelFormat,
-    border: &'a [f32; 4],
-}
-
-impl Fetch<'_> {
-    #[inline(always)]
-    fn texels(&self, x: &Indices, y: &Indices, z: &Indices) -> [Lanes; 4] {
-        let (w, h) = (self.level.width as i32, self.level.height as i32);
-        let at: [usize; LANES] = std::array::from_fn(|i| ((z[i] * h + y[i]) * w + x[i]).max(0) as usize);
-        let mut texel = match self.format {
-            TexelFormat::Rgba8 => {
-                let words: [u32; LANES] = at.map(|i| self.level.texels.get(i).copied().unwrap_or(0));
-                [0, 8, 16, 24].map(|shift| words.map(|word| (word >> shift & 255) as i32 as f32))
-            }
-            TexelFormat::Rgba32f => {
-                [0, 1, 2, 3].map(|c| at.map(|i| f32::from_bits(self.level.texels.get(4 * i + c).copied().unwrap_or(0))))
-            }
-        };
-        let outside = |i: usize| (x[i] | y[i] | z[i]) < 0;
-        if (0..LANES).any(outside) {
-            let scale = if self.format == TexelFormat::Rgba8 { 255.0 } else { 1.0 };
-            for lane in (0..LANES).filter(|&i| outside(i)) {
-                for c in 0..4 {
-                    texel[c][lane] = self.border[c] * scale;
-                }
-            }
-        }
-        texel
-    }
-
-    #[inline(always)]
-    fn scaled(&self, texel: [Lanes; 4]) -> [Lanes; 4] {
-        match self.format {
-            TexelFormat::Rgba8 => texel.map(|component| component.map(|v| v * (1.0 / 255.0))),
-            TexelFormat::Rgba32f => texel,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -413,7 +385,7 @@ mod tests {
     }
 
     fn at(binding: &TextureBinding, s: f32, t: f32) -> [f32; 4] {
-        let texel = sample_group(binding, &[[s; LANES], [t; LANES], [0.0; LANES], [0.0; LANES]], None, Simd::Scalar);
+        let texel = Prepared::new(binding).group(&[[s; LANES], [t; LANES], [0.0; LANES], [0.0; LANES]], None, Simd::Scalar);
         [0, 1, 2, 3].map(|c| texel[c][3])
     }
 
@@ -467,7 +439,7 @@ mod tests {
         let coord = [[0.1; LANES], [0.1; LANES], [0.0; LANES], [0.0; LANES]];
         let slope = 2.0f32.powf(0.5) / 4.0;
         let (dx, dy) = ([[slope; LANES], [0.0; LANES], [0.0; LANES]], [[0.0; LANES]; 3]);
-        let got = sample_group(&b, &coord, Some([&dx, &dy]), Simd::Scalar)[0][0];
+        let got = Prepared::new(&b).group(&coord, Some([&dx, &dy]), Simd::Scalar)[0][0];
         let level = |l: usize| (b.image.levels[l].texels[0] & 255) as f32 / 255.0;
         assert!((got - 0.5 * (level(0) + level(1))).abs() < 1e-4, "{got}");
     }
@@ -479,7 +451,7 @@ mod tests {
         let coord = [[0.1; LANES], [0.1; LANES], [0.0; LANES], [0.0; LANES]];
         let slopes: Lanes = std::array::from_fn(|i| [0.1, 0.5, 1.0, 9.0][i % 4]);
         let (dx, dy) = ([slopes, [0.0; LANES], [0.0; LANES]], [[0.0; LANES]; 3]);
-        let got = sample_group(&b, &coord, Some([&dx, &dy]), Simd::Scalar)[0];
+        let got = Prepared::new(&b).group(&coord, Some([&dx, &dy]), Simd::Scalar)[0];
         for (lane, want) in [0usize, 1, 2, 2].into_iter().cycle().take(LANES).enumerate() {
             assert_eq!(got[lane], (b.image.levels[want].texels[0] & 255) as f32 * (1.0 / 255.0), "lane {lane}");
         }
@@ -508,7 +480,7 @@ mod tests {
                     let rotate = |by: usize| std::array::from_fn(|i| wild[(i * by + shift) % 8]);
                     let coord = [rotate(1), rotate(3), rotate(5), rotate(7)];
                     let (dx, dy) = ([rotate(3), rotate(1), rotate(1)], [rotate(5), rotate(2), rotate(2)]);
-                    let bits = |simd| sample_group(&b, &coord, Some([&dx, &dy]), simd).map(|c| c.map(f32::to_bits));
+                    let bits = |simd| Prepared::new(&b).group(&coord, Some([&dx, &dy]), simd).map(|c| c.map(f32::to_bits));
                     assert_eq!(bits(Simd::Scalar), bits(Simd::Avx2));
                 }
             }

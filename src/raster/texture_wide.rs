@@ -2,11 +2,14 @@
 //! trilinear filtering with levels lane by lane. The same operations in the same order, so the same bits.
 
 use std::arch::x86_64::*;
+use std::marker::PhantomData;
 
+use super::texture::Texels;
 use crate::draw::texture::{TextureLevel, Wrap};
 use crate::program::lanes::LANES;
 
 type Lanes = [f32; LANES];
+type Indices = [u32; LANES];
 
 /// A wrap mode that stays inside the image.
 fn stays_inside(wrap: Wrap, linear: bool) -> bool {
@@ -28,170 +31,202 @@ fn is_whole(level: &TextureLevel) -> bool {
     texels > 0 && texels < 1 << 31 && level.texels.len() as u64 >= texels
 }
 
-/// Bilinear filtering on the two levels around each lane's λ, blended. `coord` is s, t and what is not looked at. `None` where this
-/// cannot be done here.
-///
-/// # Safety
-/// The processor must have AVX2.
-#[target_feature(enable = "avx2")]
-pub unsafe fn trilinear(levels: &[TextureLevel], wrap: [Wrap; 2], coord: &[Lanes; 4], lambda: &Lanes) -> Option<[Lanes; 4]> {
-    let base = levels.first()?;
-    let last = levels.len() - 1;
-    if !wrap.into_iter().all(|w| stays_inside(w, true)) {
-        return None;
-    }
-    // SAFETY: eight lanes are 32 bytes.
-    let (s, t, lambda) =
-        unsafe { (_mm256_loadu_ps(coord[0].as_ptr()), _mm256_loadu_ps(coord[1].as_ptr()), _mm256_loadu_ps(lambda.as_ptr())) };
-    // Where λ is not above 0, and where it is not a number: the base level. At the last level there is nothing to blend with.
-    let minified = _mm256_cmp_ps::<_CMP_GT_OQ>(lambda, _mm256_setzero_ps());
-    let floor = _mm256_floor_ps(lambda);
-    let last_f = _mm256_set1_ps(last as f32);
-    let blended = _mm256_and_ps(minified, _mm256_cmp_ps::<_CMP_LT_OQ>(floor, last_f));
-    let blend = _mm256_and_ps(_mm256_sub_ps(lambda, floor), blended);
-    let near = _mm256_cvttps_epi32(_mm256_and_ps(_mm256_min_ps(floor, last_f), minified));
-    let far = _mm256_min_epi32(_mm256_add_epi32(near, _mm256_set1_epi32(1)), _mm256_set1_epi32(last as i32));
-    let mut of = [[0i32; LANES]; 2];
-    // SAFETY: as above.
-    unsafe {
-        _mm256_storeu_si256(of[0].as_mut_ptr().cast(), near);
-        _mm256_storeu_si256(of[1].as_mut_ptr().cast(), far);
-    }
-    let (mut first, mut end) = (last, 0);
-    for lane in 0..LANES {
-        first = first.min(of[0][lane] as usize);
-        end = end.max(of[1][lane] as usize);
-    }
-    for k in first..=end {
-        let level = &levels[k];
-        // An image has 32 levels at most: no width has more bits.
-        let (width, height) = ((base.width >> (k & 31)).max(1), (base.height >> (k & 31)).max(1));
-        if level.width != width || level.height != height || !is_whole(level) {
+/// An image's levels, each half as large as the one before, all texels there.
+pub struct Pyramid<'a> {
+    /// Of each level. An image has 32 levels at most: no width has more bits.
+    texels: [*const u32; 32],
+    /// Columns and rows of the first.
+    size: [u32; 2],
+    /// The last one.
+    last: usize,
+    wrap: [Wrap; 2],
+    levels: PhantomData<&'a [TextureLevel]>,
+}
+
+impl<'a> Pyramid<'a> {
+    /// Of levels that can be filtered here.
+    pub fn new(levels: &'a [TextureLevel], wrap: [Wrap; 2]) -> Option<Pyramid<'a>> {
+        let base = levels.first()?;
+        if levels.len() > 32 || !wrap.into_iter().all(|w| stays_inside(w, true)) {
             return None;
         }
+        let mut texels = [std::ptr::null(); 32];
+        for (k, level) in levels.iter().enumerate() {
+            let (width, height) = ((base.width >> k).max(1), (base.height >> k).max(1));
+            if level.width != width || level.height != height || !is_whole(level) {
+                return None;
+            }
+            texels[k] = level.texels.as_ptr();
+        }
+        Some(Pyramid { texels, size: [base.width, base.height], last: levels.len() - 1, wrap, levels: PhantomData })
     }
-    let size = [base.width as i32, base.height as i32];
-    // SAFETY: the levels from `first` to `end`, among which those of all lanes are, were checked just now.
-    let mut value = unsafe { bilinear(levels, &of[0], near, size, wrap, s, t) };
-    if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_NEQ_UQ>(blend, _mm256_setzero_ps())) != 0 {
-        // SAFETY: as above.
-        let far = unsafe { bilinear(levels, &of[1], far, size, wrap, s, t) };
-        for c in 0..4 {
-            value[c] = lerp(value[c], far[c], blend);
+
+    /// Bilinear filtering on the two levels around each lane's λ, blended, of groups of lanes.
+    ///
+    /// # Safety
+    /// The processor must have AVX2.
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    pub unsafe fn trilinear(&self, coord: [&[Lanes]; 2], lambda: &[Lanes], rows: &mut [Texels]) {
+        for (g, rows) in rows.iter_mut().enumerate() {
+            let (s, t, lambda) = (load(&coord[0][g]), load(&coord[1][g]), load(&lambda[g]));
+            // Where λ is not above 0, and where it is not a number: the base level. At the last level there is nothing to blend with.
+            let minified = _mm256_cmp_ps::<_CMP_GT_OQ>(lambda, _mm256_setzero_ps());
+            let floor = _mm256_floor_ps(lambda);
+            let last = _mm256_set1_ps(self.last as f32);
+            let blended = _mm256_and_ps(minified, _mm256_cmp_ps::<_CMP_LT_OQ>(floor, last));
+            let blend = _mm256_and_ps(_mm256_sub_ps(lambda, floor), blended);
+            let level = _mm256_cvttps_epi32(_mm256_and_ps(_mm256_min_ps(floor, last), minified));
+            let near = Around::new(self.sizes(level), _mm256_setzero_si256(), self.wrap, [s, t]);
+            let near_of = indices(level);
+            if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_NEQ_UQ>(blend, _mm256_setzero_ps())) == 0 {
+                for (lane, row) in rows.iter_mut().enumerate() {
+                    // SAFETY: the lanes' levels are at most the last, and all were checked.
+                    unsafe { _mm_storeu_ps(row.as_mut_ptr(), near.filtered(lane, self.texels[near_of[lane] as usize & 31])) };
+                }
+                continue;
+            }
+            let level = _mm256_min_epi32(_mm256_add_epi32(level, _mm256_set1_epi32(1)), _mm256_set1_epi32(self.last as i32));
+            let far = Around::new(self.sizes(level), _mm256_setzero_si256(), self.wrap, [s, t]);
+            let (far_of, blends) = (indices(level), lanes(blend));
+            for (lane, row) in rows.iter_mut().enumerate() {
+                // SAFETY: as above.
+                unsafe {
+                    let low = near.filtered(lane, self.texels[near_of[lane] as usize & 31]);
+                    let high = far.filtered(lane, self.texels[far_of[lane] as usize & 31]);
+                    _mm_storeu_ps(row.as_mut_ptr(), lerp(low, high, _mm_set1_ps(blends[lane])));
+                }
+            }
         }
     }
-    let mut result = [[0.0; LANES]; 4];
-    for c in 0..4 {
-        // SAFETY: eight lanes are 32 bytes.
-        unsafe { _mm256_storeu_ps(result[c].as_mut_ptr(), value[c]) };
+
+    /// Columns and rows of eight lanes' levels.
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn sizes(&self, level: __m256i) -> [__m256i; 2] {
+        let one = _mm256_set1_epi32(1);
+        let (w, h) = (_mm256_set1_epi32(self.size[0] as i32), _mm256_set1_epi32(self.size[1] as i32));
+        [_mm256_max_epi32(_mm256_srlv_epi32(w, level), one), _mm256_max_epi32(_mm256_srlv_epi32(h, level), one)]
     }
-    Some(result)
 }
 
-/// The four texels around each lane, on a level of its own, blended. `size` is the base level's.
+/// The four texels around each of eight lanes.
+struct Around {
+    /// Their indices: low and high in x, at the low y, then at the high one.
+    at: [Indices; 4],
+    /// Weights of the high ones.
+    weight: [Lanes; 2],
+}
+
+impl Around {
+    /// On levels of these sizes; `first` is the row that counts as row 0.
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn new([w, h]: [__m256i; 2], first: __m256i, wrap: [Wrap; 2], [s, t]: [__m256; 2]) -> Around {
+        let (x0, x1, fx) = linear_axis(s, w, wrap[0]);
+        let (y0, y1, fy) = linear_axis(t, h, wrap[1]);
+        let low = _mm256_mullo_epi32(_mm256_add_epi32(first, y0), w);
+        let high = _mm256_mullo_epi32(_mm256_add_epi32(first, y1), w);
+        let at = [_mm256_add_epi32(low, x0), _mm256_add_epi32(low, x1), _mm256_add_epi32(high, x0), _mm256_add_epi32(high, x1)];
+        Around { at: [indices(at[0]), indices(at[1]), indices(at[2]), indices(at[3])], weight: [lanes(fx), lanes(fy)] }
+    }
+
+    /// A lane's texels, blended: four components side by side, which costs less than to spread eight lanes' words to columns.
+    ///
+    /// # Safety
+    /// `texels` are those of the lane's level, all there. The processor must have AVX2.
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    unsafe fn filtered(&self, lane: usize, texels: *const u32) -> __m128 {
+        // SAFETY: the indices were clamped to the level's size.
+        let texel = |k: usize| unsafe { components(*texels.add(self.at[k][lane] as usize)) };
+        let (x, y) = (_mm_set1_ps(self.weight[0][lane]), _mm_set1_ps(self.weight[1][lane]));
+        let value = lerp(lerp(texel(0), texel(1), x), lerp(texel(2), texel(3), x), y);
+        _mm_mul_ps(value, _mm_set1_ps(1.0 / 255.0))
+    }
+}
+
+/// The texel under each lane, or the four around it blended, of groups of lanes. `layers` are the cube faces, none of a flat image.
 ///
 /// # Safety
-/// The lanes' levels are there, whole, and as large as the base level's halves. The processor must have AVX2.
+/// [`serves`] holds, and layers are below the level's depth. The processor must have AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-unsafe fn bilinear(
-    levels: &[TextureLevel],
-    of: &[i32; LANES],
-    level: __m256i,
-    size: [i32; 2],
+pub unsafe fn sample(
+    level: &TextureLevel,
     wrap: [Wrap; 2],
-    s: __m256,
-    t: __m256,
-) -> [__m256; 4] {
-    let one = _mm256_set1_epi32(1);
-    let w = _mm256_max_epi32(_mm256_srlv_epi32(_mm256_set1_epi32(size[0]), level), one);
-    let h = _mm256_max_epi32(_mm256_srlv_epi32(_mm256_set1_epi32(size[1]), level), one);
-    let (x0, x1, fx) = linear_axis(s, w, wrap[0]);
-    let (y0, y1, fy) = linear_axis(t, h, wrap[1]);
-    let (low, high) = (_mm256_mullo_epi32(y0, w), _mm256_mullo_epi32(y1, w));
-    let places = [_mm256_add_epi32(low, x0), _mm256_add_epi32(low, x1), _mm256_add_epi32(high, x0), _mm256_add_epi32(high, x1)];
-    let mut at = [[0u32; LANES]; 4];
-    for k in 0..4 {
-        // SAFETY: eight lanes are 32 bytes.
-        unsafe { _mm256_storeu_si256(at[k].as_mut_ptr().cast(), places[k]) };
-    }
-    let mut texels = [std::ptr::null::<u32>(); LANES];
-    for lane in 0..LANES {
-        // SAFETY: the caller's promise.
-        texels[lane] = unsafe { levels.get_unchecked(of[lane] as usize) }.texels.as_ptr();
-    }
-    // SAFETY: the indices were clamped to the level's size.
-    let texel = |k: usize, lane: usize| unsafe { *texels[lane].add(at[k][lane] as usize) as i32 };
-    // A load each: gathers are no faster, and slower on some processors.
-    let fetch = |k: usize| {
-        let [a, b, c, d] = [texel(k, 0), texel(k, 1), texel(k, 2), texel(k, 3)];
-        _mm256_setr_epi32(a, b, c, d, texel(k, 4), texel(k, 5), texel(k, 6), texel(k, 7))
-    };
-    filter([fetch(0), fetch(1), fetch(2), fetch(3)], fx, fy)
-}
-
-/// Blends four texels, component by component.
-#[target_feature(enable = "avx2")]
-#[inline]
-fn filter(words: [__m256i; 4], fx: __m256, fy: __m256) -> [__m256; 4] {
-    let scale = _mm256_set1_ps(1.0 / 255.0);
-    let mut result = [_mm256_setzero_ps(); 4];
-    for (c, lanes) in result.iter_mut().enumerate() {
-        let [a, b, d, e] = words;
-        let (a, b, d, e) = (component(a, c as i32), component(b, c as i32), component(d, c as i32), component(e, c as i32));
-        *lanes = _mm256_mul_ps(lerp(lerp(a, b, fx), lerp(d, e, fx), fy), scale);
-    }
-    result
-}
-
-/// The texel under each lane, or the four around it blended. `layer` is the cube face.
-///
-/// # Safety
-/// [`serves`] holds, and `layer` is below the level's depth. The processor must have AVX2.
-#[target_feature(enable = "avx2")]
-pub unsafe fn sample(level: &TextureLevel, wrap: [Wrap; 2], linear: bool, s: &Lanes, t: &Lanes, layer: &[i32; LANES]) -> [Lanes; 4] {
+    linear: bool,
+    coord: [&[Lanes]; 2],
+    layers: &[[i32; LANES]],
+    rows: &mut [Texels],
+) {
     let (w, h) = (level.width as i32, level.height as i32);
-    // SAFETY: eight lanes are 32 bytes.
-    let (s, t, z) = unsafe { (_mm256_loadu_ps(s.as_ptr()), _mm256_loadu_ps(t.as_ptr()), _mm256_loadu_si256(layer.as_ptr().cast())) };
-    let width = _mm256_set1_epi32(w);
-    let first = _mm256_mullo_epi32(z, _mm256_set1_epi32(h));
-    let texels: *const i32 = level.texels.as_ptr().cast();
-    let fetch = |x: __m256i, row: __m256i| {
-        // SAFETY: x is in 0..w, the row in 0..h of a layer below the depth: `serves` checked that such texels exist.
-        unsafe { _mm256_i32gather_epi32::<4>(texels, _mm256_add_epi32(_mm256_mullo_epi32(row, width), x)) }
+    let size = [_mm256_set1_epi32(w), _mm256_set1_epi32(h)];
+    let texels = level.texels.as_ptr();
+    let first = |g: usize| match layers.get(g) {
+        // SAFETY: eight lanes are 32 bytes.
+        Some(layer) => _mm256_mullo_epi32(unsafe { _mm256_loadu_si256(layer.as_ptr().cast()) }, size[1]),
+        None => _mm256_setzero_si256(),
     };
-    let scale = _mm256_set1_ps(1.0 / 255.0);
-    let mut result = [[0.0; LANES]; 4];
-    if !linear {
-        let word = fetch(nearest(s, w, wrap[0]), _mm256_add_epi32(first, nearest(t, h, wrap[1])));
-        for (c, lanes) in result.iter_mut().enumerate() {
-            // SAFETY: as above.
-            unsafe { _mm256_storeu_ps(lanes.as_mut_ptr(), _mm256_mul_ps(component(word, c as i32), scale)) };
+    if linear {
+        for (g, rows) in rows.iter_mut().enumerate() {
+            let around = Around::new(size, first(g), wrap, [load(&coord[0][g]), load(&coord[1][g])]);
+            for (lane, row) in rows.iter_mut().enumerate() {
+                // SAFETY: the layer is below the depth, and `serves` checked that the texels exist.
+                unsafe { _mm_storeu_ps(row.as_mut_ptr(), around.filtered(lane, texels)) };
+            }
         }
-        return result;
+        return;
     }
-    let (x0, x1, fx) = linear_axis(s, width, wrap[0]);
-    let (y0, y1, fy) = linear_axis(t, _mm256_set1_epi32(h), wrap[1]);
-    let (low, high) = (_mm256_add_epi32(first, y0), _mm256_add_epi32(first, y1));
-    let value = filter([fetch(x0, low), fetch(x1, low), fetch(x0, high), fetch(x1, high)], fx, fy);
-    for (lanes, value) in result.iter_mut().zip(value) {
-        // SAFETY: as above.
-        unsafe { _mm256_storeu_ps(lanes.as_mut_ptr(), value) };
+    for (g, rows) in rows.iter_mut().enumerate() {
+        let y = _mm256_add_epi32(first(g), nearest(load(&coord[1][g]), h, wrap[1]));
+        let at = indices(_mm256_add_epi32(_mm256_mullo_epi32(y, size[0]), nearest(load(&coord[0][g]), w, wrap[0])));
+        for (lane, row) in rows.iter_mut().enumerate() {
+            // SAFETY: as above, and `nearest` stays below the size.
+            unsafe {
+                let texel = components(*texels.add(at[lane] as usize));
+                _mm_storeu_ps(row.as_mut_ptr(), _mm_mul_ps(texel, _mm_set1_ps(1.0 / 255.0)));
+            }
+        }
     }
-    result
 }
 
 #[target_feature(enable = "avx2")]
 #[inline]
-fn component(word: __m256i, c: i32) -> __m256 {
-    let shifted = _mm256_srl_epi32(word, _mm_cvtsi32_si128(8 * c));
-    _mm256_cvtepi32_ps(_mm256_and_si256(shifted, _mm256_set1_epi32(255)))
+fn load(lanes: &Lanes) -> __m256 {
+    // SAFETY: eight lanes are 32 bytes.
+    unsafe { _mm256_loadu_ps(lanes.as_ptr()) }
+}
+
+/// A texel's components, from 0 to 255.
+#[target_feature(enable = "avx2")]
+#[inline]
+fn components(word: u32) -> __m128 {
+    _mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(word as i32)))
 }
 
 #[target_feature(enable = "avx2")]
 #[inline]
-fn lerp(a: __m256, b: __m256, t: __m256) -> __m256 {
-    _mm256_add_ps(a, _mm256_mul_ps(t, _mm256_sub_ps(b, a)))
+fn indices(v: __m256i) -> Indices {
+    let mut indices = [0; LANES];
+    // SAFETY: eight lanes are 32 bytes.
+    unsafe { _mm256_storeu_si256(indices.as_mut_ptr().cast(), v) };
+    indices
+}
+
+#[target_feature(enable = "avx2")]
+#[inline]
+fn lanes(v: __m256) -> Lanes {
+    let mut lanes = [0.0; LANES];
+    // SAFETY: eight lanes are 32 bytes.
+    unsafe { _mm256_storeu_ps(lanes.as_mut_ptr(), v) };
+    lanes
+}
+
+#[target_feature(enable = "avx2")]
+#[inline]
+fn lerp(a: __m128, b: __m128, t: __m128) -> __m128 {
+    _mm_add_ps(a, _mm_mul_ps(t, _mm_sub_ps(b, a)))
 }
 
 /// Fraction of a coordinate in its period, mirrored in every other one.

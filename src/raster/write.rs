@@ -1,8 +1,9 @@
 //! The operations after a fragment's colour is known, on eight pixels of a row: alpha test, late depth and stencil tests, blending,
 //! logic op and the write.
 
-use super::fine::{Plan, row8};
+use super::fine::row8;
 use super::layout::*;
+use super::plan::Plan;
 use super::simd::Simd;
 use super::store::BinPixels;
 use super::{blend, depth_stencil, formats};

@@ -8,7 +8,7 @@ use super::schedule::LaneProgram;
 use super::{Column4, Environment, FragmentResults, GROUPS, LANES};
 use crate::draw::texture::TextureBinding;
 use crate::program::Program;
-use crate::raster::texture;
+use crate::raster::texture::Prepared;
 
 /// Instruction sets that the executor is built for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -209,14 +209,15 @@ unsafe fn run_code(code: &[Inst], bases: &[*mut Group; 4], n: usize, reach: &mut
 unsafe fn sample(inst: &Inst, bases: &[*mut Group; 4], n: usize, reach: &mut Reach) {
     let call = &reach.program.samples[inst.imm as usize];
     let read = |o: super::op::Operand, g: usize| unsafe { *bases[o.space()].add(o.group() + g * o.step()) };
+    let texture = reach.textures.get(call.slot as usize).map(Prepared::new);
     for g in 0..n {
         let coord = call.coord.map(|o| read(o, g));
-        let texel = match reach.textures.get(call.slot as usize) {
-            Some(binding) => match &call.gradients {
-                None => texture::sample_group(binding, &coord, None, reach.level),
+        let texel = match &texture {
+            Some(texture) => match &call.gradients {
+                None => texture.group(&coord, None, reach.level),
                 Some(gradients) => {
                     let [ddx, ddy] = gradients.map(|v| v.map(|o| read(o, g)));
-                    texture::sample_group(binding, &coord, Some([&ddx, &ddy]), reach.level)
+                    texture.group(&coord, Some([&ddx, &ddy]), reach.level)
                 }
             },
             None => [[0.0; LANES], [0.0; LANES], [0.0; LANES], [1.0; LANES]],

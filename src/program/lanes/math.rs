@@ -87,25 +87,6 @@ pub fn log2(x: f32) -> f32 {
     log2_any(x) as f32
 }
 
-/// log2(x) in single precision, within 3e-7 of the whole: for a level of detail between levels that are blended. Zero is a number of
-/// that size too small for any level, infinity one too large.
-#[inline(always)]
-pub fn log2_near(x: f32) -> f32 {
-    // x = m * 2^e with m in [sqrt(1/2), sqrt(2))
-    let e = (x.to_bits() as i32).wrapping_sub(0x3f35_04f3) >> 23;
-    let m = f32::from_bits(x.to_bits().wrapping_sub((e << 23) as u32));
-    let f = (m - 1.0) / (m + 1.0);
-    let s = f * f;
-    // 2 atanh(f): |f| <= 0.172, the first term left out is 2e-9 of the whole.
-    let p = 1.0 / 9.0;
-    let p = p * s + 1.0 / 7.0;
-    let p = p * s + 1.0 / 5.0;
-    let p = p * s + 1.0 / 3.0;
-    let p = p * s + 1.0;
-    let r = e as f32 + (2.0 * std::f32::consts::LOG2_E) * f * p;
-    if x.is_nan() { x } else { r }
-}
-
 /// e^x
 #[inline(always)]
 pub fn exp(x: f32) -> f32 {
@@ -254,8 +235,6 @@ mod tests {
             assert!(ulps(exp2(x), (x as f64).exp2()) < 0.51, "exp2 {x}");
             assert!(ulps(exp(x), (x as f64).exp()) < 0.51, "exp {x}");
             assert!(ulps(log2(x.abs()), (x.abs() as f64).log2()) < 0.51, "log2 {x}");
-            let (near, exact) = (log2_near(x.abs()) as f64, (x.abs() as f64).log2());
-            assert!((near - exact).abs() <= 3e-7 * exact.abs().max(1.0), "log2_near {x}: {near} {exact}");
             assert!(ulps(log(x.abs()), (x.abs() as f64).ln()) < 0.51, "log {x}");
             assert!(ulps(sin(x), (x as f64).sin()) < 0.6, "sin {x} {} {}", sin(x), (x as f64).sin());
             assert!(ulps(cos(x), (x as f64).cos()) < 0.6, "cos {x} {} {}", cos(x), (x as f64).cos());
