@@ -113,7 +113,10 @@ pub struct Context {
     pub(crate) derived_topology: u32,
     pub(crate) arrays: arrays::Arrays,
     client_stack: Vec<arrays::SavedClient>,
-    pub(crate) derived: derived::Derived,
+    /// `None` while it is being computed.
+    pub(crate) derived: Option<Box<derived::Derived>>,
+    /// Number of the last derivation.
+    revision: u64,
     /// The next derivation is for vertices shaded on the host: all outputs are wanted.
     pub(crate) shading_on_host: bool,
     pub(crate) immediate: Immediate,
@@ -185,6 +188,9 @@ pub mod dirty {
     pub const FRAGMENT: u32 = 1 << 5;
     /// The surface or its size.
     pub const SURFACE: u32 = 1 << 6;
+    /// Numbers of lights, materials and the light model that are in a uniform block and decide nothing else: no program changes with
+    /// them.
+    pub const LIGHT_VALUES: u32 = 1 << 7;
     /// All of them.
     pub const ALL: u32 = !0;
 }
@@ -223,7 +229,8 @@ impl Context {
             derived_topology: !0,
             arrays: arrays::Arrays::default(),
             client_stack: Vec::new(),
-            derived: derived::Derived::default(),
+            derived: Some(Box::default()),
+            revision: 0,
             shading_on_host: false,
             immediate: Immediate::default(),
             pass_through: Default::default(),
