@@ -112,6 +112,8 @@ pub struct Context {
     pub recorder: Recorder,
     pub(crate) derived_topology: u32,
     pub(crate) arrays: arrays::Arrays,
+    /// Memory for the indices of a draw, where they have to be widened.
+    indices: Vec<u32>,
     client_stack: Vec<arrays::SavedClient>,
     /// `None` while it is being computed.
     pub(crate) derived: Option<Box<derived::Derived>>,
@@ -228,6 +230,7 @@ impl Context {
             recorder: Recorder::new(),
             derived_topology: !0,
             arrays: arrays::Arrays::default(),
+            indices: Vec::new(),
             client_stack: Vec::new(),
             derived: Some(Box::default()),
             revision: 0,
