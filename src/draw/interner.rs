@@ -24,63 +24,60 @@ impl Hasher for Identity {
 /// For maps whose keys are hashes.
 pub type WordHasher = BuildHasherDefault<Identity>;
 
-/// A 64-bit hash of words: multiply and rotate, mixed at the end.
+/// A 64-bit hash of words: multiply and rotate, mixed at the end. Four lanes take turns, because each product waits for the one
+/// before it in its lane.
 pub fn hash_words(words: &[u32]) -> u64 {
     const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15;
-    let mut hash = words.len() as u64;
-    let (pairs, rest) = words.as_chunks::<2>();
-    for pair in pairs {
-        let word = u64::from(pair[0]) | u64::from(pair[1]) << 32;
-        hash = (hash.rotate_left(23) ^ word).wrapping_mul(FACTOR);
+    let step = |hash: u64, word: u64| (hash.rotate_left(23) ^ word).wrapping_mul(FACTOR);
+    let mut lanes = [words.len() as u64, 1, 2, 3];
+    let (blocks, rest) = words.as_chunks::<8>();
+    for block in blocks {
+        for (k, lane) in lanes.iter_mut().enumerate() {
+            *lane = step(*lane, u64::from(block[2 * k]) | u64::from(block[2 * k + 1]) << 32);
+        }
     }
     for &word in rest {
-        hash = (hash.rotate_left(23) ^ u64::from(word)).wrapping_mul(FACTOR);
+        lanes[0] = step(lanes[0], u64::from(word));
     }
+    let hash = lanes.into_iter().fold(0, step);
     hash ^ hash >> 32
 }
 
-/// Index of each record by its hash. Two records of one hash are told apart by comparison; the later one takes the entry.
+/// Index of each block of records by its hash. Two blocks of one hash are told apart by comparison; the later one takes the entry.
 #[derive(Default)]
 pub struct Interner {
     map: HashMap<u64, u32, WordHasher>,
-    last: u32,
+    /// Index and length of the last two that were asked for, the later one first: state that is switched to and fro is found without
+    /// hashing.
+    recent: [(u32, usize); 2],
 }
 
 impl Interner {
     /// Forgets all.
     pub fn clear(&mut self) {
         self.map.clear();
-        self.last = 0;
+        self.recent = Default::default();
     }
 
-    /// Index in `all` of `record` (one element, whose bytes are `bytes`).
-    pub fn intern<T: Pod + PartialEq>(&mut self, bytes: &[u8], all: &mut Vec<T>, record: &[T]) -> u32 {
-        let same = |index: u32| all.get(index as usize).is_some_and(|other| bytemuck::bytes_of(other) == bytes);
-        if same(self.last) {
-            return self.last;
-        }
-        let key = hash_words(bytemuck::cast_slice(bytes));
-        if let Some(&index) = self.map.get(&key)
-            && same(index)
-        {
-            self.last = index;
-            return index;
-        }
-        self.last = all.len() as u32;
-        all.extend_from_slice(record);
-        self.map.insert(key, self.last);
-        self.last
-    }
-
-    /// Index in `all` of the first vec4 of `block`.
-    pub fn intern_block(&mut self, block: &[[f32; 4]], all: &mut Vec<[f32; 4]>) -> u32 {
+    /// Index in `all` of the first record of `block`, which is added if it is not there; 0 if it is empty.
+    pub fn intern<T: Pod>(&mut self, all: &mut Vec<T>, block: &[T]) -> u32 {
         if block.is_empty() {
             return 0;
         }
-        let bytes: &[u8] = bytemuck::cast_slice(block);
+        let [last, before] = self.recent;
+        let is = |(index, length): (u32, usize)| length == block.len() && is_at(all, index, block);
+        if is(last) {
+            return last.0;
+        }
+        let index = if is(before) { before.0 } else { self.find_or_add(all, block) };
+        self.recent = [(index, block.len()), last];
+        index
+    }
+
+    fn find_or_add<T: Pod>(&mut self, all: &mut Vec<T>, block: &[T]) -> u32 {
         let key = hash_words(bytemuck::cast_slice(block));
         if let Some(&index) = self.map.get(&key)
-            && all.get(index as usize..index as usize + block.len()).is_some_and(|other| bytemuck::cast_slice::<_, u8>(other) == bytes)
+            && is_at(all, index, block)
         {
             return index;
         }
@@ -88,5 +85,60 @@ impl Interner {
         all.extend_from_slice(block);
         self.map.insert(key, index);
         index
+    }
+}
+
+/// `block` is at `index` of `all`, to the bit.
+fn is_at<T: Pod>(all: &[T], index: u32, block: &[T]) -> bool {
+    let there = all.get(index as usize..index as usize + block.len());
+    there.is_some_and(|there| bytemuck::cast_slice::<_, u8>(there) == bytemuck::cast_slice::<_, u8>(block))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_blocks_have_one_index_however_they_come() {
+        let (mut interner, mut all) = (Interner::default(), Vec::new());
+        let blocks: Vec<[[f32; 4]; 2]> = (0..5).map(|k| [[k as f32; 4], [0.5; 4]]).collect();
+        let mut index = |k: usize| interner.intern(&mut all, &blocks[k]);
+        for k in [0, 1, 0, 1, 2, 0, 3, 3, 4, 1, 0, 2] {
+            assert_eq!(index(k), 2 * k as u32);
+        }
+        assert_eq!(all, blocks.as_flattened());
+    }
+
+    #[test]
+    fn the_beginning_of_a_block_is_another_block() {
+        let (mut interner, mut all) = (Interner::default(), Vec::new());
+        assert_eq!(interner.intern(&mut all, &[[1.0f32; 4], [2.0; 4]]), 0);
+        assert_eq!(interner.intern(&mut all, &[[1.0; 4]]), 2);
+        assert_eq!(interner.intern(&mut all, &[[1.0; 4], [2.0; 4]]), 0);
+    }
+
+    #[test]
+    fn blocks_are_compared_to_the_bit() {
+        let (mut interner, mut all) = (Interner::default(), Vec::new());
+        let [zero, minus, nan] = [0.0, -0.0, f32::NAN].map(|x| [[x; 4]]);
+        assert_ne!(interner.intern(&mut all, &zero), interner.intern(&mut all, &minus));
+        assert_eq!(interner.intern(&mut all, &nan), interner.intern(&mut all, &nan));
+    }
+
+    #[test]
+    fn every_word_counts_in_a_hash() {
+        for length in [1, 7, 8, 9, 33] {
+            let words = vec![0; length];
+            let mut hashes = vec![hash_words(&words)];
+            for k in 0..length {
+                let mut other = words.clone();
+                other[k] = 1;
+                hashes.push(hash_words(&other));
+            }
+            let count = hashes.len();
+            hashes.sort_unstable();
+            hashes.dedup();
+            assert_eq!(hashes.len(), count, "{length} words");
+        }
     }
 }

@@ -94,26 +94,39 @@ impl Batch {
 }
 
 /// Most bytes of an executed batch that are kept.
-const SPARE_LIMIT: usize = 16 << 20;
+const SPARE_LIMIT: usize = 24 << 20;
+
+/// Vectors of a batch that grow with its draws.
+#[derive(Default)]
+struct Memory {
+    vertices: Vec<f32>,
+    primitives: Vec<Primitive>,
+    draws: Vec<Draw>,
+}
 
 thread_local! {
-    static SPARE: RefCell<(Vec<f32>, Vec<Primitive>)> = const { RefCell::new((Vec::new(), Vec::new())) };
+    static SPARE: RefCell<Memory> = const { RefCell::new(Memory { vertices: Vec::new(), primitives: Vec::new(), draws: Vec::new() }) };
 }
 
 /// Keeps the memory of an executed batch for the next one of this thread: fresh memory of its size costs a page fault every 4 KiB.
 pub fn recycle(batch: Batch) {
-    let Batch { mut vertices, mut primitives, .. } = batch;
-    if vertices.capacity() * 4 + primitives.capacity() * size_of::<Primitive>() <= SPARE_LIMIT {
+    let Batch { mut vertices, mut primitives, mut draws, .. } = batch;
+    let bytes = vertices.capacity() * 4 + primitives.capacity() * size_of::<Primitive>() + draws.capacity() * size_of::<Draw>();
+    if bytes <= SPARE_LIMIT {
         vertices.clear();
         primitives.clear();
-        SPARE.set((vertices, primitives));
+        draws.clear();
+        SPARE.set(Memory { vertices, primitives, draws });
     }
 }
 
-/// Memory for vertices and primitives, with room for so many.
-pub(crate) fn spare(sizes: [usize; 2]) -> (Vec<f32>, Vec<Primitive>) {
-    let (mut vertices, mut primitives) = SPARE.take();
-    vertices.reserve(sizes[0]);
-    primitives.reserve(sizes[1]);
-    (vertices, primitives)
+impl Batch {
+    /// Takes the memory of a batch before, before the first draw; with room for so many vertex words, primitives and draws.
+    fn reuse_memory(&mut self, sizes: [usize; 3]) {
+        let Memory { mut vertices, mut primitives, mut draws } = SPARE.take();
+        vertices.reserve(sizes[0]);
+        primitives.reserve(sizes[1]);
+        draws.reserve(sizes[2]);
+        (self.vertices, self.primitives, self.draws) = (vertices, primitives, draws);
+    }
 }

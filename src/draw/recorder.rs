@@ -5,138 +5,38 @@
 //! (glColor between two Begin/End pairs) is a constant of the draw; when the next call brings another value, the draw is small
 //! and all else is equal, the attribute becomes one of its vertices instead, so that the two calls stay one draw.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::assembly::{Assembly, Part, PrimitiveType, QuadSplit};
-use super::interner::{Interner, WordHasher, hash_words};
-use super::texture::TextureBinding;
 use super::{Batch, Clear, Draw, Step};
-use crate::program::{Output, Program};
+use crate::program::Program;
 use crate::raster::layout::*;
+
+mod run;
+mod state;
+
+pub use run::{Run, VertexLayout, slots};
+pub use state::{DrawState, Revised};
+
+use run::copy_run;
+use state::{Prepared, Tables};
 
 /// Most vertices of a draw that are laid out anew to make a constant an attribute.
 const RELAYOUT_LIMIT: u32 = 1024;
-
-/// The state of a draw, as the state machine derives it.
-#[derive(Clone)]
-pub struct DrawState<'a> {
-    /// `topology::*`
-    pub topology: u32,
-    /// The vertex program.
-    pub vertex_program: &'a Arc<Program>,
-    /// The fragment program.
-    pub fragment_program: &'a Arc<Program>,
-    /// The vertex program's block.
-    pub vertex_uniforms: &'a [[f32; 4]],
-    /// The fragment program's block.
-    pub fragment_uniforms: &'a [[f32; 4]],
-    /// Clip to set-up; its `polygon_stipple` is filled in here.
-    pub raster_state: RasterState,
-    /// Per-fragment operations.
-    pub fragment_state: FragmentState,
-    /// Texture slots of the fragment program.
-    pub textures: &'a [TextureBinding],
-    /// Polygon stipple, where it is on.
-    pub stipple: Option<&'a [u32; 32]>,
-    /// User clip distances that the vertex program writes.
-    pub clip_distance_count: u32,
-}
-
-/// A run of vertices with four words an attribute, in slot order, attribute 0 (position) always there.
-#[derive(Clone, Copy)]
-pub struct Run<'a> {
-    /// The slots there.
-    pub mask: u32,
-    /// `count * mask.count_ones()` attributes.
-    pub data: &'a [[f32; 4]],
-    /// Number of vertices.
-    pub count: u32,
-    /// Edge flags by vertex; `None`: all true.
-    pub edge_flags: Option<&'a [bool]>,
-}
-
-impl Run<'_> {
-    /// Attribute `slot` of a vertex; from `current` where the run does not have it.
-    pub fn attribute(&self, slot: usize, vertex: u32, current: &[[f32; 4]; ATTRIBUTES]) -> [f32; 4] {
-        if self.mask & 1 << slot == 0 {
-            return current[slot];
-        }
-        let stride = self.mask.count_ones();
-        let rank = (self.mask & ((1 << slot) - 1)).count_ones();
-        self.data[(vertex * stride + rank) as usize]
-    }
-
-    /// Edge flag of a vertex.
-    pub fn edge_flag(&self, vertex: u32) -> bool {
-        self.edge_flags.is_none_or(|flags| flags[vertex as usize])
-    }
-}
-
-/// A vertex layout of a draw: which attributes its vertices have, and how many words of each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct VertexLayout {
-    /// Slots that vary from vertex to vertex.
-    pub mask: u32,
-    /// Words of each.
-    pub size: [u8; ATTRIBUTES],
-}
-
-impl VertexLayout {
-    /// Four words of each slot.
-    pub fn full(mask: u32) -> VertexLayout {
-        VertexLayout { mask, size: [4; ATTRIBUTES] }
-    }
-
-    fn offsets(&self) -> ([u32; ATTRIBUTES], u32) {
-        let (mut offset, mut stride) = ([NONE; ATTRIBUTES], 0);
-        for slot in slots(self.mask) {
-            offset[slot] = stride;
-            stride += u32::from(self.size[slot]);
-        }
-        (offset, stride)
-    }
-}
-
-/// The slots of a mask, in order.
-pub fn slots(mut mask: u32) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let slot = mask.trailing_zeros();
-        mask &= mask.wrapping_sub(1);
-        (slot < 32).then_some(slot as usize)
-    })
-}
-
-/// The last draw of the batch, which still takes vertices.
-struct Open {
-    layout: VertexLayout,
-    constants: [[f32; 4]; ATTRIBUTES],
-}
-
-/// State of the next draw, interned.
-struct Prepared {
-    /// Record without what belongs to the vertices.
-    record: DrawRecord,
-    vertex_program: Arc<Program>,
-    fragment_program: Arc<Program>,
-}
 
 /// Turns draws into a batch.
 #[derive(Default)]
 pub struct Recorder {
     batch: Batch,
     budget: usize,
-    open: Option<Open>,
+    /// Layout of the last draw, while it takes vertices.
+    open: Option<VertexLayout>,
     prepared: Option<Prepared>,
     /// Primitives before this one are in a step.
     stepped: u32,
-    blocks: Interner,
-    raster_states: Interner,
-    fragment_states: Interner,
-    texture_lists: HashMap<u64, u32, WordHasher>,
-    stipples: Interner,
-    /// Capacity that the last batch needed: vertices, primitives.
-    last_sizes: [usize; 2],
+    tables: Tables,
+    /// Capacity that the last batch needed: vertices, primitives, draws.
+    last_sizes: [usize; 3],
 }
 
 impl Recorder {
@@ -161,11 +61,8 @@ impl Recorder {
         }
         self.prepared = None;
         self.stepped = 0;
-        for interner in [&mut self.blocks, &mut self.raster_states, &mut self.fragment_states, &mut self.stipples] {
-            interner.clear();
-        }
-        self.texture_lists.clear();
-        self.last_sizes = [self.batch.vertices.len(), self.batch.primitives.len()];
+        self.tables.clear();
+        self.last_sizes = [self.batch.vertices.len(), self.batch.primitives.len(), self.batch.draws.len()];
         Some(std::mem::take(&mut self.batch))
     }
 
@@ -203,58 +100,11 @@ impl Recorder {
         self.batch.steps.push(Step::Clear(clear));
     }
 
-    /// Sets the state of the draws that follow.
-    pub fn set_state(&mut self, state: &DrawState) {
-        let mut raster_state = state.raster_state;
-        raster_state.polygon_stipple = match state.stipple {
-            Some(rows) => self.stipples.intern(bytemuck::bytes_of(rows), &mut self.batch.polygon_stipples, std::slice::from_ref(rows)),
-            None => NONE,
-        };
-        let batch = &mut self.batch;
-        let mut record = DrawRecord {
-            vertex_word: 0,
-            vertex_stride: 0,
-            vertex_count: 0,
-            topology: state.topology,
-            attribute_offset: [NONE; ATTRIBUTES],
-            attribute_size: [0; ATTRIBUTES],
-            constants: 0,
-            vertex_uniforms: self.blocks.intern_block(state.vertex_uniforms, &mut batch.uniforms),
-            fragment_uniforms: self.blocks.intern_block(state.fragment_uniforms, &mut batch.uniforms),
-            raster_state: self.raster_states.intern(bytemuck::bytes_of(&raster_state), &mut batch.raster_states, &[raster_state]),
-            fragment_state: self.fragment_states.intern(
-                bytemuck::bytes_of(&state.fragment_state),
-                &mut batch.fragment_states,
-                &[state.fragment_state],
-            ),
-            first_texture: intern_textures(&mut self.texture_lists, &mut batch.textures, state.textures),
-            shaded_base: 0,
-            shaded_stride: 0,
-            clip_distances: NONE,
-            clip_distance_count: state.clip_distance_count,
-            point_size: NONE,
-            varying_count: 0,
-            varyings: [0; MAX_VARYINGS],
-        };
-        link(&mut record, state.vertex_program, state.fragment_program);
-        if let Some(prepared) = &self.prepared
-            && prepared.record == record
-            && prepared.vertex_program.id == state.vertex_program.id
-            && prepared.fragment_program.id == state.fragment_program.id
-        {
-            return;
-        }
-        self.close_draw();
-        self.prepared =
-            Some(Prepared { record, vertex_program: state.vertex_program.clone(), fragment_program: state.fragment_program.clone() });
-    }
-
     /// Another vertex program for the draws that follow, with the state set before.
     pub fn replace_vertex_program(&mut self, program: &Arc<Program>) {
         self.close_draw();
         if let Some(prepared) = &mut self.prepared {
-            link(&mut prepared.record, program, &prepared.fragment_program);
-            prepared.vertex_program = program.clone();
+            prepared.replace_vertex_program(program);
         }
     }
 
@@ -266,13 +116,15 @@ impl Recorder {
 
     /// Draws a run of vertices in the state set before. Attributes that the run does not have come from `current`.
     pub fn draw_run(&mut self, mode: PrimitiveType, part: Part, split: QuadSplit, run: &Run, current: &[[f32; 4]; ATTRIBUTES]) {
-        let Some(reads) = self.prepared.as_ref().map(|prepared| prepared.vertex_program.attributes) else { return };
+        let Some(prepared) = &self.prepared else { return };
+        let reads = prepared.vertex_program.attributes;
         let wanted = run.mask & (reads | 1);
         let fits = match &self.open {
-            Some(open) if open.layout.size == [4; ATTRIBUTES] => {
-                let constant = reads & !open.layout.mask;
+            Some(layout) if layout.size == [4; ATTRIBUTES] => {
+                let constant = reads & !layout.mask;
                 let missing = constant & wanted;
-                let differing = slots(constant & !wanted).filter(|&s| open.constants[s] != current[s]).fold(0, |mask, s| mask | 1 << s);
+                let differs = |&s: &usize| prepared.constants[s] != current[s];
+                let differing = slots(constant & !wanted).filter(differs).fold(0, |mask, s| mask | 1 << s);
                 Some(missing | differing)
             }
             _ => None,
@@ -282,10 +134,7 @@ impl Recorder {
             Some(grow) if self.open_vertices() <= RELAYOUT_LIMIT && run.count <= RELAYOUT_LIMIT => self.relayout(grow),
             _ => self.open_draw(VertexLayout::full(wanted), current),
         }
-        let layout = match &self.open {
-            Some(open) => open.layout,
-            None => return,
-        };
+        let Some(layout) = self.open else { return };
         let base = self.open_vertices();
         let vertices = &mut self.batch.vertices;
         if layout.mask == run.mask {
@@ -307,10 +156,11 @@ impl Recorder {
     /// gets, then calls [`finish_vertices`](Self::finish_vertices) and pushes primitives through [`primitives`](Self::primitives).
     /// Returns the number of the first vertex.
     pub fn begin_vertices(&mut self, layout: VertexLayout, current: &[[f32; 4]; ATTRIBUTES]) -> Option<(u32, &mut Vec<f32>)> {
-        let reads = self.prepared.as_ref()?.vertex_program.attributes;
+        let prepared = self.prepared.as_ref()?;
+        let reads = prepared.vertex_program.attributes;
         let fits = self.open.as_ref().is_some_and(|open| {
-            let sizes_equal = || slots(layout.mask).all(|s| open.layout.size[s] == layout.size[s]);
-            open.layout.mask == layout.mask && sizes_equal() && slots(reads & !layout.mask).all(|s| open.constants[s] == current[s])
+            let sizes_equal = || slots(layout.mask).all(|s| open.size[s] == layout.size[s]);
+            open.mask == layout.mask && sizes_equal() && slots(reads & !layout.mask).all(|s| prepared.constants[s] == current[s])
         });
         if !fits {
             self.open_draw(layout, current);
@@ -344,44 +194,34 @@ impl Recorder {
 
     fn open_draw(&mut self, layout: VertexLayout, current: &[[f32; 4]; ATTRIBUTES]) {
         self.close_draw();
-        let Some(prepared) = &self.prepared else { return };
-        if self.batch.draws.is_empty() {
-            (self.batch.vertices, self.batch.primitives) = super::spare(self.last_sizes);
+        let Some(prepared) = &mut self.prepared else { return };
+        let batch = &mut self.batch;
+        if batch.draws.is_empty() {
+            batch.reuse_memory(self.last_sizes);
         }
-        let mut record = prepared.record;
-        let (offset, stride) = layout.offsets();
-        record.vertex_word = self.batch.vertices.len() as u32;
-        record.vertex_stride = stride;
-        record.attribute_offset = offset;
-        for slot in slots(layout.mask) {
-            record.attribute_size[slot] = u32::from(layout.size[slot]);
-        }
-        let mut constants = [[0.0; 4]; ATTRIBUTES];
-        for slot in slots(prepared.vertex_program.attributes & !layout.mask) {
-            constants[slot] = current[slot];
-        }
-        record.constants = self.blocks.intern_block(&constants, &mut self.batch.uniforms);
-        self.batch.draws.push(Draw {
-            record,
-            first_primitive: self.batch.primitives.len() as u32,
+        prepared.describe_vertices(layout, current, &mut self.tables, &mut batch.uniforms);
+        prepared.record.vertex_word = batch.vertices.len() as u32;
+        batch.draws.push(Draw {
+            record: prepared.record,
+            first_primitive: batch.primitives.len() as u32,
             vertex_program: prepared.vertex_program.clone(),
             fragment_program: prepared.fragment_program.clone(),
         });
-        self.open = Some(Open { layout, constants });
+        self.open = Some(layout);
     }
 
     /// Makes the constants in `grow` attributes of the open draw's vertices.
     fn relayout(&mut self, grow: u32) {
-        let (Some(open), Some(draw)) = (&mut self.open, self.batch.draws.last_mut()) else { return };
+        let (Some(layout), Some(prepared), Some(draw)) = (&mut self.open, &self.prepared, self.batch.draws.last_mut()) else { return };
         let record = &mut draw.record;
         let start = record.vertex_word as usize;
         let old = self.batch.vertices.split_off(start);
-        let mask = open.layout.mask | grow;
+        let mask = layout.mask | grow;
         let (data, _) = old.as_chunks::<4>();
-        let run = Run { mask: open.layout.mask, data, count: record.vertex_count, edge_flags: None };
-        copy_run(&run, mask, &open.constants, &mut self.batch.vertices);
-        open.layout = VertexLayout::full(mask);
-        (record.attribute_offset, record.vertex_stride) = open.layout.offsets();
+        let run = Run { mask: layout.mask, data, count: record.vertex_count, edge_flags: None };
+        copy_run(&run, mask, &prepared.constants, &mut self.batch.vertices);
+        *layout = VertexLayout::full(mask);
+        (record.attribute_offset, record.vertex_stride) = layout.offsets();
         for slot in slots(grow) {
             record.attribute_size[slot] = 4;
         }
@@ -403,68 +243,4 @@ impl Recorder {
             self.stepped = end;
         }
     }
-}
-
-/// Where the later stages find what the vertex program writes and the fragment program reads.
-fn link(record: &mut DrawRecord, vertex_program: &Program, fragment_program: &Program) {
-    let outputs = &vertex_program.outputs;
-    let index_of = |output: Output| outputs.iter().position(|&o| o == output).map(|k| k as u32 + 1);
-    let wanted = &fragment_program.varyings;
-    for (word, varying) in record.varyings.iter_mut().zip(wanted) {
-        let front = index_of(varying.front).unwrap_or(0);
-        let back = index_of(varying.back).unwrap_or(front);
-        *word = front | back << 8 | varying.interpolation << 16;
-    }
-    record.varying_count = wanted.len().min(MAX_VARYINGS) as u32;
-    record.shaded_stride = 1 + outputs.len() as u32;
-    record.clip_distances = index_of(Output::ClipDistance(0)).unwrap_or(NONE);
-    record.point_size = index_of(Output::PointSize).unwrap_or(NONE);
-}
-
-/// Appends a run's vertices in another layout of four words a slot.
-fn copy_run(run: &Run, mask: u32, current: &[[f32; 4]; ATTRIBUTES], out: &mut Vec<f32>) {
-    let stride = run.mask.count_ones() as usize;
-    // Where each attribute of the layout comes from: its rank in the run, or a constant.
-    let mut sources = [(usize::MAX, [0.0; 4]); ATTRIBUTES];
-    let mut used = 0;
-    for slot in slots(mask) {
-        let bit = 1 << slot;
-        sources[used] =
-            if run.mask & bit != 0 { ((run.mask & (bit - 1)).count_ones() as usize, [0.0; 4]) } else { (usize::MAX, current[slot]) };
-        used += 1;
-    }
-    out.reserve(run.count as usize * used * 4);
-    for vertex in run.data.chunks_exact(stride.max(1)).take(run.count as usize) {
-        for &(rank, constant) in &sources[..used] {
-            out.extend_from_slice(vertex.get(rank).unwrap_or(&constant));
-        }
-    }
-}
-
-fn intern_textures(lists: &mut HashMap<u64, u32, WordHasher>, all: &mut Vec<TextureBinding>, wanted: &[TextureBinding]) -> u32 {
-    if wanted.is_empty() {
-        return 0;
-    }
-    let mut words = Vec::with_capacity(wanted.len() * 18);
-    for binding in wanted {
-        let sampler = &binding.sampler;
-        words.extend([binding.image.id as u32, (binding.image.id >> 32) as u32]);
-        words.extend(sampler.wrap.map(|wrap| wrap as u32));
-        words.extend([u32::from(sampler.mag_linear), u32::from(sampler.min_linear), sampler.mip_linear.map_or(2, u32::from)]);
-        words.extend(sampler.lod_range.map(f32::to_bits));
-        words.push(sampler.lod_bias.to_bits());
-        words.extend(sampler.border.map(f32::to_bits));
-    }
-    let equal = |a: &TextureBinding, b: &TextureBinding| a.image.id == b.image.id && a.sampler == b.sampler;
-    let key = hash_words(&words);
-    if let Some(&first) = lists.get(&key)
-        && all[first as usize..].len() >= wanted.len()
-        && all[first as usize..].iter().zip(wanted).all(|(a, b)| equal(a, b))
-    {
-        return first;
-    }
-    let first = all.len() as u32;
-    all.extend_from_slice(wanted);
-    lists.insert(key, first);
-    first
 }

@@ -201,6 +201,39 @@ fn arrays_and_immediate_mode_give_the_same_picture() {
 }
 
 #[test]
+fn indices_of_any_type_record_the_same_draw() {
+    let positions: Vec<[f32; 2]> = (0..200).map(|k| [(k as f32).sin(), (k as f32).cos()]).collect();
+    let words: Vec<u32> = (0..60).map(|k| 100 + k * 7 % 50).collect();
+    let shorts: Vec<u16> = words.iter().map(|&i| i as u16).collect();
+    let bytes: Vec<u8> = words.iter().map(|&i| i as u8).collect();
+    let unaligned: Vec<u8> = std::iter::once(0).chain(words.iter().flat_map(|i| i.to_ne_bytes())).collect();
+    let record = |ty: GLenum, indices: *const u8| {
+        let mut cx = context();
+        // SAFETY: the arrays hold what is asked for.
+        unsafe {
+            cx.vertex_pointer(2, GL_FLOAT, 0, positions.as_ptr().cast());
+            cx.enable_client_state(GL_VERTEX_ARRAY);
+            for mode in 0..10 {
+                cx.draw_elements(mode, 60, ty, indices.cast());
+            }
+        }
+        let batch = cx.recorder.take().unwrap();
+        (batch.vertices, batch.primitives)
+    };
+    let expected = record(GL_UNSIGNED_INT, words.as_ptr().cast());
+    assert_eq!(expected, record(GL_UNSIGNED_SHORT, shorts.as_ptr().cast()));
+    assert_eq!(expected, record(GL_UNSIGNED_BYTE, bytes.as_ptr()));
+    assert_eq!(expected, record(GL_UNSIGNED_INT, unaligned[1..].as_ptr()));
+    // Each index names the vertex that it named in the array.
+    let (vertices, primitives) = expected;
+    let first_triangle = primitives[60 + 30 + 60 + 59].v;
+    for (k, v) in first_triangle.into_iter().enumerate() {
+        let v = v as usize;
+        assert_eq!(vertices[2 * v..][..2], positions[words[k] as usize]);
+    }
+}
+
+#[test]
 fn commands_between_begin_and_end_are_errors() {
     let mut cx = context();
     cx.begin(GL_POINTS);

@@ -6,6 +6,7 @@
 use glam::{Mat3, Vec3, Vec4};
 
 use super::checks::{Params, enum_from, faces, put, vec4};
+use super::derived::{light_kind, shines};
 use super::enable::index_below;
 use super::enums::*;
 use super::query::{Kind, Value};
@@ -38,6 +39,7 @@ impl Context {
         };
         let modelview = *self.modelview.top();
         let slot = &mut self.state.lighting.lights[index];
+        let kind = light_kind(slot);
         let scalar = params.first().copied().unwrap_or(0.0);
         match (pname, vec4(params)) {
             (GL_AMBIENT, Some(v)) => slot.ambient = v,
@@ -67,7 +69,7 @@ impl Context {
             }
             _ => return self.set_error(GL_INVALID_ENUM, "glLight"),
         }
-        self.dirty |= dirty::LIGHTING;
+        self.dirty |= if light_kind(slot) == kind { dirty::LIGHT_VALUES } else { dirty::LIGHTING };
     }
 
     /// glLightModel{if}[v]. A slice of one is the scalar form.
@@ -79,7 +81,7 @@ impl Context {
         let lighting = &mut self.state.lighting;
         let scalar = params.first().copied().unwrap_or(0.0);
         match (pname, vec4(params)) {
-            (GL_LIGHT_MODEL_AMBIENT, Some(v)) => lighting.model_ambient = v,
+            (GL_LIGHT_MODEL_AMBIENT, Some(v)) => return put(&mut lighting.model_ambient, v, &mut self.dirty, dirty::LIGHT_VALUES),
             (GL_LIGHT_MODEL_LOCAL_VIEWER, _) => lighting.local_viewer = scalar != 0.0,
             (GL_LIGHT_MODEL_TWO_SIDE, _) => lighting.two_side = scalar != 0.0,
             (GL_LIGHT_MODEL_COLOR_CONTROL, _) if matches!(enum_from(scalar), GL_SINGLE_COLOR | GL_SEPARATE_SPECULAR_COLOR) => {
@@ -126,8 +128,9 @@ impl Context {
             if self.immediate.is_inside() {
                 self.shade_before_change();
             }
-            self.state.lighting.materials = changed;
-            self.dirty |= dirty::LIGHTING;
+            let materials = std::mem::replace(&mut self.state.lighting.materials, changed);
+            let same_kind = materials.iter().zip(&self.state.lighting.materials).all(|(old, new)| shines(old) == shines(new));
+            self.dirty |= if same_kind { dirty::LIGHT_VALUES } else { dirty::LIGHTING };
         }
     }
 

@@ -112,8 +112,13 @@ pub struct Context {
     pub recorder: Recorder,
     pub(crate) derived_topology: u32,
     pub(crate) arrays: arrays::Arrays,
+    /// Memory for the indices of a draw, where they have to be widened.
+    indices: Vec<u32>,
     client_stack: Vec<arrays::SavedClient>,
-    pub(crate) derived: derived::Derived,
+    /// `None` while it is being computed.
+    pub(crate) derived: Option<Box<derived::Derived>>,
+    /// Number of the last derivation.
+    revision: u64,
     /// The next derivation is for vertices shaded on the host: all outputs are wanted.
     pub(crate) shading_on_host: bool,
     pub(crate) immediate: Immediate,
@@ -185,6 +190,9 @@ pub mod dirty {
     pub const FRAGMENT: u32 = 1 << 5;
     /// The surface or its size.
     pub const SURFACE: u32 = 1 << 6;
+    /// Numbers of lights, materials and the light model that are in a uniform block and decide nothing else: no program changes with
+    /// them.
+    pub const LIGHT_VALUES: u32 = 1 << 7;
     /// All of them.
     pub const ALL: u32 = !0;
 }
@@ -222,8 +230,10 @@ impl Context {
             recorder: Recorder::new(),
             derived_topology: !0,
             arrays: arrays::Arrays::default(),
+            indices: Vec::new(),
             client_stack: Vec::new(),
-            derived: derived::Derived::default(),
+            derived: Some(Box::default()),
+            revision: 0,
             shading_on_host: false,
             immediate: Immediate::default(),
             pass_through: Default::default(),

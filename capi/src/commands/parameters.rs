@@ -25,17 +25,31 @@ fn length(pname: GLenum) -> usize {
     }
 }
 
-/// Reads the vector of a parameter. What is unknown reads as a zero: the method then names the error.
-unsafe fn vector<T: Copy + Default>(cx: &mut Context, name: &str, pname: GLenum, params: *const T) -> Option<Vec<T>> {
-    match length(pname) {
-        0 => Some(vec![T::default()]),
-        // SAFETY: the contract of this folder.
-        count => unsafe { copy(cx, name, params, count) },
+/// The vector of a parameter: at most four values.
+struct Vector<T> {
+    values: [T; 4],
+    count: usize,
+}
+
+impl<T> Vector<T> {
+    fn as_slice(&self) -> &[T] {
+        &self.values[..self.count]
     }
 }
 
-fn from_f64(v: Vec<f64>) -> Vec<f32> {
-    v.into_iter().map(|v| v as f32).collect()
+/// Reads the vector of a parameter. What is unknown reads as a zero: the method then names the error.
+unsafe fn vector<T: Copy + Default>(cx: &mut Context, name: &str, pname: GLenum, params: *const T) -> Option<Vector<T>> {
+    let count = length(pname);
+    let mut vector = Vector { values: [T::default(); 4], count: count.max(1) };
+    if count > 0 && params.is_null() {
+        cx.set_error(GL_INVALID_VALUE, name);
+        return None;
+    }
+    for (k, value) in vector.values[..count].iter_mut().enumerate() {
+        // SAFETY: the contract of this folder.
+        *value = unsafe { params.add(k).read_unaligned() };
+    }
+    Some(vector)
 }
 
 /// `f`, `i`, `fv`, `iv` of one command, and its queries.
@@ -53,14 +67,14 @@ macro_rules! commands {
         pub unsafe fn $fv(cx: &mut Context, $($arg: GLenum,)* pname: GLenum, params: *const f32) {
             // SAFETY: the contract of this folder.
             if let Some(v) = unsafe { vector(cx, stringify!($fv), pname, params) } {
-                cx.$method($($arg,)* pname, &v);
+                cx.$method($($arg,)* pname, v.as_slice());
             }
         }
         #[doc = stringify!($iv)]
         pub unsafe fn $iv(cx: &mut Context, $($arg: GLenum,)* pname: GLenum, params: *const i32) {
             // SAFETY: the contract of this folder.
             if let Some(v) = unsafe { vector(cx, stringify!($iv), pname, params) } {
-                cx.$method($($arg,)* pname, &params_from_int(pname, &v));
+                cx.$method($($arg,)* pname, &params_from_int(pname, v.as_slice()));
             }
         }
     )* };
@@ -85,7 +99,7 @@ pub unsafe fn glTexGend(cx: &mut Context, coord: GLenum, pname: GLenum, param: f
 pub unsafe fn glTexGendv(cx: &mut Context, coord: GLenum, pname: GLenum, params: *const f64) {
     // SAFETY: the contract of this folder.
     if let Some(v) = unsafe { vector(cx, "glTexGendv", pname, params) } {
-        cx.tex_gen(coord, pname, &from_f64(v));
+        cx.tex_gen(coord, pname, &v.values.map(|v| v as f32)[..v.count]);
     }
 }
 

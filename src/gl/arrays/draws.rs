@@ -12,13 +12,31 @@ use crate::draw::recorder::{Run, VertexLayout, slots};
 use crate::gl::Context;
 use crate::gl::enums::*;
 use crate::gl::list::PackedRun;
-use crate::raster::layout::ATTRIBUTES;
+
+/// Most words of indices whose memory is kept from draw to draw.
+const KEPT_INDICES: usize = 1 << 20;
 
 /// # Safety
 /// `count` indices of type `T` must be readable at `indices`, aligned or not.
-unsafe fn widen<T: Copy + Into<u32>>(indices: *const c_void, count: usize) -> Vec<u32> {
+unsafe fn widen<T: Copy + Into<u32>>(indices: *const c_void, count: usize, out: &mut Vec<u32>) -> &[u32] {
+    out.clear();
     // SAFETY: the caller's promise.
-    (0..count).map(|i| unsafe { indices.cast::<T>().add(i).read_unaligned() }.into()).collect()
+    out.extend((0..count).map(|i| -> u32 { unsafe { indices.cast::<T>().add(i).read_unaligned() }.into() }));
+    out
+}
+
+/// Indices into elements that are read from the arrays: index `i` names element `list[i] - first` of them.
+#[derive(Clone, Copy)]
+struct Indices<'a> {
+    list: &'a [u32],
+    first: u32,
+}
+
+impl Indices<'_> {
+    #[inline(always)]
+    fn element(&self, i: u32) -> u32 {
+        self.list[i as usize].wrapping_sub(self.first)
+    }
 }
 
 impl Context {
@@ -56,11 +74,11 @@ impl Context {
         let (Ok(first), Ok(count)) = (u32::try_from(first), u32::try_from(count)) else {
             return self.set_error(GL_INVALID_VALUE, "glDrawArrays: first or count");
         };
-        if self.arrays.attributes() & 1 == 0 || count == 0 {
+        if self.arrays.attributes & 1 == 0 || count == 0 {
             return;
         }
         if count <= self.recorder.chunk() {
-            self.draw_elements_of(mode, Part::default(), Elements::Range { first, count }, None, false);
+            self.draw_elements_of(mode, Part::default(), Elements::Range { first, count }, None);
         } else {
             self.draw_in_chunks(mode, count, |k| first + k, false);
         }
@@ -83,21 +101,26 @@ impl Context {
         if !matches!(ty, GL_UNSIGNED_BYTE | GL_UNSIGNED_SHORT | GL_UNSIGNED_INT) {
             return self.set_error(GL_INVALID_ENUM, "glDrawElements: type");
         }
-        if self.arrays.attributes() & 1 == 0 || indices.is_null() || count == 0 {
+        if self.arrays.attributes & 1 == 0 || indices.is_null() || count == 0 {
             return;
         }
-        // SAFETY: the caller's promise.
-        let indices = unsafe {
+        let mut widened = std::mem::take(&mut self.indices);
+        // SAFETY: the caller's promise; the indices stay as they are until this returns.
+        let list = unsafe {
             match ty {
-                GL_UNSIGNED_BYTE => widen::<u8>(indices, count),
-                GL_UNSIGNED_SHORT => widen::<u16>(indices, count),
-                _ => widen::<u32>(indices, count),
+                GL_UNSIGNED_BYTE => widen::<u8>(indices, count, &mut widened),
+                GL_UNSIGNED_SHORT => widen::<u16>(indices, count, &mut widened),
+                _ if indices.cast::<u32>().is_aligned() => std::slice::from_raw_parts(indices.cast(), count),
+                _ => widen::<u32>(indices, count, &mut widened),
             }
         };
-        if indices.len() as u64 <= u64::from(self.recorder.chunk()) {
-            self.draw_indices(mode, Part::default(), &indices);
+        if count as u64 <= u64::from(self.recorder.chunk()) {
+            self.draw_indices(mode, Part::default(), list);
         } else {
-            self.draw_in_chunks(mode, indices.len() as u32, |k| indices[k as usize], true);
+            self.draw_in_chunks(mode, count as u32, |k| list[k as usize], true);
+        }
+        if widened.capacity() <= KEPT_INDICES {
+            self.indices = widened;
         }
     }
 
@@ -127,7 +150,7 @@ impl Context {
             if indexed {
                 self.draw_indices(mode, part, &run[..now as usize]);
             } else {
-                self.draw_elements_of(mode, part, Elements::List(&run[..now as usize]), None, false);
+                self.draw_elements_of(mode, part, Elements::List(&run[..now as usize]), None);
             }
             run = carried.into_iter().flatten().map(|i| run[i as usize]).collect();
             continued = true;
@@ -135,25 +158,27 @@ impl Context {
     }
 
     fn draw_indices(&mut self, mode: PrimitiveType, part: Part, indices: &[u32]) {
-        let (Some(&least), Some(&greatest)) = (indices.iter().min(), indices.iter().max()) else { return };
+        if indices.is_empty() {
+            return;
+        }
+        let (least, greatest) = indices.iter().fold((u32::MAX, 0), |(least, greatest), &i| (i.min(least), i.max(greatest)));
         let range = u64::from(greatest - least) + 1;
         if range <= 2 * indices.len() as u64 {
-            let local: Vec<u32> = indices.iter().map(|&i| i - least).collect();
-            self.draw_elements_of(mode, part, Elements::Range { first: least, count: range as u32 }, Some(&local), true);
-            return;
+            let elements = Elements::Range { first: least, count: range as u32 };
+            return self.draw_elements_of(mode, part, elements, Some(Indices { list: indices, first: least }));
         }
         // Scattered: each element that is used, once.
         let mut used = indices.to_vec();
         used.sort_unstable();
         used.dedup();
         let local: Vec<u32> = indices.iter().map(|i| used.binary_search(i).unwrap_or(0) as u32).collect();
-        self.draw_elements_of(mode, part, Elements::List(&used), Some(&local), true);
+        self.draw_elements_of(mode, part, Elements::List(&used), Some(Indices { list: &local, first: 0 }));
     }
 
     /// Draws elements of the arrays, in their order or as `indices` (into the elements) say.
-    fn draw_elements_of(&mut self, mode: PrimitiveType, part: Part, elements: Elements, indices: Option<&[u32]>, indexed: bool) {
+    fn draw_elements_of(&mut self, mode: PrimitiveType, part: Part, elements: Elements, indices: Option<Indices>) {
         if self.lists.builder.is_some() || self.render_mode != GL_RENDER {
-            return self.draw_gathered(mode, part, elements, indices, indexed);
+            return self.draw_gathered(mode, part, elements, indices);
         }
         if !self.can_draw("drawing") {
             return;
@@ -162,14 +187,11 @@ impl Context {
             self.flush_batch();
         }
         self.validate(mode.topology());
-        let split = self.quad_split(indexed);
+        let split = self.quad_split(indices.is_some());
         let edge_flags = self.array_edge_flags(elements);
         let Some(program) = self.recorder.vertex_program() else { return };
-        let mask = self.arrays.attributes() & (program.attributes | 1);
-        let mut layout = VertexLayout { mask, size: [0; ATTRIBUTES] };
-        for slot in slots(mask) {
-            layout.size[slot] = self.arrays.slots[slot].size;
-        }
+        let mask = self.arrays.attributes & (program.attributes | 1);
+        let layout = VertexLayout { mask, size: self.arrays.sizes };
         let Some((base, vertices)) = self.recorder.begin_vertices(layout, &self.state.current.attributes) else { return };
         let stride: usize = slots(mask).map(|slot| usize::from(layout.size[slot])).sum();
         let (start, count) = (vertices.len(), elements.count());
@@ -184,11 +206,15 @@ impl Context {
         let (out, draw) = self.recorder.primitives();
         let assembly = Assembly { mode, part, split, draw };
         match (indices, &edge_flags) {
+            (Some(indices), None) if mode == PrimitiveType::Triangles => {
+                assembly.listed_triangles(indices.list, base.wrapping_sub(indices.first), out);
+            }
             (None, None) => assembly.run(count, |i| base + i, |_| true, out),
-            (Some(list), None) => assembly.run(list.len() as u32, |i| base + list[i as usize], |_| true, out),
+            (Some(indices), None) => assembly.run(indices.list.len() as u32, |i| base + indices.element(i), |_| true, out),
             (None, Some(flags)) => assembly.run(count, |i| base + i, |i| flags[i as usize], out),
-            (Some(list), Some(flags)) => {
-                assembly.run(list.len() as u32, |i| base + list[i as usize], |i| flags[list[i as usize] as usize], out);
+            (Some(indices), Some(flags)) => {
+                let edge = |i| flags[indices.element(i) as usize];
+                assembly.run(indices.list.len() as u32, |i| base + indices.element(i), edge, out);
             }
         }
     }
@@ -206,8 +232,8 @@ impl Context {
     }
 
     /// The slow way: the vertices as a run, for selection, feedback and display lists.
-    fn draw_gathered(&mut self, mode: PrimitiveType, part: Part, elements: Elements, indices: Option<&[u32]>, indexed: bool) {
-        let mask = self.arrays.attributes();
+    fn draw_gathered(&mut self, mode: PrimitiveType, part: Part, elements: Elements, indices: Option<Indices>) {
+        let mask = self.arrays.attributes;
         let stride = mask.count_ones() as usize;
         let count = elements.count() as usize;
         let mut data = vec![[0.0, 0.0, 0.0, 1.0]; count * stride];
@@ -217,10 +243,11 @@ impl Context {
         }
         let mut edge_flags = self.array_edge_flags(elements);
         let mut count = count as u32;
-        if let Some(list) = indices {
-            data = list.iter().flat_map(|&i| data[i as usize * stride..][..stride].iter().copied()).collect();
-            edge_flags = edge_flags.map(|flags| list.iter().map(|&i| flags[i as usize]).collect());
-            count = list.len() as u32;
+        if let Some(indices) = indices {
+            count = indices.list.len() as u32;
+            let elements = (0..count).map(|i| indices.element(i) as usize);
+            data = elements.clone().flat_map(|k| data[k * stride..][..stride].iter().copied()).collect();
+            edge_flags = edge_flags.map(|flags| elements.map(|k| flags[k]).collect());
         }
         if self.lists.builder.is_some() {
             let has_edges = self.arrays.slots[EDGE_FLAG].enabled;
@@ -241,7 +268,7 @@ impl Context {
             };
             return self.compile_run(packed, command);
         }
-        self.submit_run(mode, part, &Run { mask, data: &data, count, edge_flags: edge_flags.as_deref() }, indexed);
+        self.submit_run(mode, part, &Run { mask, data: &data, count, edge_flags: edge_flags.as_deref() }, indices.is_some());
     }
 }
 

@@ -97,18 +97,25 @@ unsafe fn run<T: Component, const N: usize, const NORMALIZED: bool>(
     stride: usize,
 ) {
     let step = array.step();
-    let places = out[offset..].chunks_mut(stride);
-    let read = |index: u32, place: &mut [f32]| {
-        let element = array.pointer.wrapping_add(index as usize * step).cast::<[T; N]>();
+    let at = |index: u32| array.pointer.wrapping_add(index as usize * step);
+    let read = |element: *const u8, place: &mut [f32]| {
         // SAFETY: the client promises that the element is there; it need not be aligned.
-        let values = unsafe { element.read_unaligned() };
-        for (word, value) in place[..N].iter_mut().zip(values) {
-            *word = if NORMALIZED { value.normalized() } else { value.plain() };
+        let values = unsafe { element.cast::<[T; N]>().read_unaligned() };
+        let place = &mut place[offset..offset + N];
+        for k in 0..N {
+            place[k] = if NORMALIZED { values[k].normalized() } else { values[k].plain() };
         }
     };
+    let places = out.chunks_mut(stride);
     match elements {
-        Elements::Range { first, count } => places.take(count as usize).zip(first..).for_each(|(place, index)| read(index, place)),
-        Elements::List(list) => places.zip(list).for_each(|(place, &index)| read(index, place)),
+        Elements::Range { first, count } => {
+            let mut element = at(first);
+            for place in places.take(count as usize) {
+                read(element, place);
+                element = element.wrapping_add(step);
+            }
+        }
+        Elements::List(list) => places.zip(list).for_each(|(place, &index)| read(at(index), place)),
     }
 }
 

@@ -101,9 +101,13 @@ impl Array {
 /// Client state of the vertex arrays, by attribute slot.
 #[derive(Clone, Debug)]
 pub(crate) struct Arrays {
-    pub slots: [Array; ATTRIBUTES],
+    slots: [Array; ATTRIBUTES],
     /// Texture unit of glTexCoordPointer.
     pub active_texture: usize,
+    /// Live slots that feed vertex attributes, as a mask.
+    attributes: u32,
+    /// Components by slot.
+    sizes: [u8; ATTRIBUTES],
 }
 
 impl Default for Arrays {
@@ -119,15 +123,17 @@ impl Default for Arrays {
         for slot in [slot::NORMAL, slot::COLOR, slot::SECONDARY_COLOR] {
             slots[slot].normalized = true;
         }
-        Arrays { slots, active_texture: 0 }
+        Arrays { slots, active_texture: 0, attributes: 0, sizes: slots.map(|array| array.size) }
     }
 }
 
 impl Arrays {
-    /// Enabled slots that feed vertex attributes, as a mask.
-    fn attributes(&self) -> u32 {
-        let mask = self.slots.iter().enumerate().filter(|(_, array)| array.is_live()).fold(0, |mask, (slot, _)| mask | 1 << slot);
-        mask & !(1 << EDGE_FLAG | 1 << INDEX)
+    /// Changes a slot's array.
+    fn change(&mut self, slot: usize, change: impl FnOnce(&mut Array)) {
+        change(&mut self.slots[slot]);
+        let live = self.slots[slot].is_live() && !matches!(slot, EDGE_FLAG | INDEX);
+        self.attributes = self.attributes & !(1 << slot) | u32::from(live) << slot;
+        self.sizes[slot] = self.slots[slot].size;
     }
 
     fn slot_of(&self, array: GLenum) -> Option<usize> {
@@ -258,8 +264,9 @@ impl Context {
         let Some(ty) = ComponentType::from_gl(ty).filter(|_| types.contains(&ty)) else {
             return self.set_error(GL_INVALID_ENUM, what);
         };
-        let array = &mut self.arrays.slots[slot];
-        (array.size, array.ty, array.stride, array.pointer) = (size as u8, ty, stride, pointer.cast());
+        self.arrays.change(slot, |array| {
+            (array.size, array.ty, array.stride, array.pointer) = (size as u8, ty, stride, pointer.cast());
+        });
     }
 
     /// glVertexPointer.
@@ -365,7 +372,7 @@ impl Context {
             return;
         }
         match self.arrays.slot_of(array) {
-            Some(slot) => self.arrays.slots[slot].enabled = enabled,
+            Some(slot) => self.arrays.change(slot, |array| array.enabled = enabled),
             None => self.set_error(GL_INVALID_ENUM, "glEnableClientState or glDisableClientState: array"),
         }
     }
@@ -402,20 +409,22 @@ impl Context {
         let tight = texture_bytes + color_bytes + normal_bytes + usize::from(layout.vertex) * 4;
         let stride = if stride == 0 { tight as i32 } else { stride };
         for slot in [slot::SECONDARY_COLOR, slot::FOG_COORD, EDGE_FLAG, INDEX] {
-            self.arrays.slots[slot].enabled = false;
+            self.arrays.change(slot, |array| array.enabled = false);
         }
+        let coordinates = slot::TEX_COORD0 + self.arrays.active_texture;
         let mut offset = 0;
         let mut place = |slot: usize, size: u8, ty: ComponentType, bytes: usize| {
-            let array = &mut self.arrays.slots[slot];
-            array.enabled = size > 0;
-            if size > 0 {
-                // An address only: nothing is read before a draw call.
-                let pointer = pointer.cast::<u8>().wrapping_add(offset);
-                (array.size, array.ty, array.stride, array.pointer) = (size, ty, stride, pointer);
-            }
+            self.arrays.change(slot, |array| {
+                array.enabled = size > 0;
+                if size > 0 {
+                    // An address only: nothing is read before a draw call.
+                    let pointer = pointer.cast::<u8>().wrapping_add(offset);
+                    (array.size, array.ty, array.stride, array.pointer) = (size, ty, stride, pointer);
+                }
+            });
             offset += bytes;
         };
-        place(slot::TEX_COORD0 + self.arrays.active_texture, layout.texture, ComponentType::Float, texture_bytes);
+        place(coordinates, layout.texture, ComponentType::Float, texture_bytes);
         let color_type = if layout.color_bytes { ComponentType::UnsignedByte } else { ComponentType::Float };
         place(slot::COLOR, layout.color, color_type, color_bytes);
         place(slot::NORMAL, if layout.normal { 3 } else { 0 }, ComponentType::Float, normal_bytes);

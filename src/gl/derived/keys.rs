@@ -3,7 +3,7 @@
 use crate::draw::texture::{Sampler, TextureBinding, TextureKind};
 use crate::gl::Context;
 use crate::gl::enums::*;
-use crate::gl::state::{Light, MAX_TEXTURE_UNITS, TextureUnit};
+use crate::gl::state::{Light, MAX_TEXTURE_UNITS, Material, TextureUnit};
 use crate::program::Output;
 use crate::program::fixed::*;
 use crate::raster::layout::topology;
@@ -117,7 +117,7 @@ impl Context {
             specular: false,
         };
         for (bits, light) in key.lights.iter_mut().zip(&s.lights).filter(|(_, l)| l.enabled) {
-            *bits = light_bits(light);
+            *bits = light_kind(light).bits;
         }
         if s.color_material {
             let tracked = match s.color_material_mode {
@@ -131,8 +131,8 @@ impl Context {
             key.color_material = [face(GL_BACK), if s.two_side { face(GL_FRONT) } else { 0 }];
         }
         let faces = if s.two_side { 2 } else { 1 };
-        let shines = |face: usize| key.color_material[face] & tracks::SPECULAR != 0 || s.materials[face].specular[..3] != [0.0; 3];
-        let glints = s.lights.iter().any(|l| l.enabled && l.specular[..3] != [0.0; 3]);
+        let shines = |face: usize| key.color_material[face] & tracks::SPECULAR != 0 || shines(&s.materials[face]);
+        let glints = s.lights.iter().any(|l| l.enabled && light_kind(l).glints);
         key.specular = glints && (0..faces).any(shines);
         if !key.specular {
             // Equal programs for equal work.
@@ -142,7 +142,15 @@ impl Context {
     }
 }
 
-fn light_bits(light: &Light) -> u8 {
+/// What a program's key says about a light that is on.
+#[derive(PartialEq)]
+pub(in crate::gl) struct LightKind {
+    bits: u8,
+    glints: bool,
+}
+
+/// What a key says about a light; its other numbers are in the uniform block.
+pub(in crate::gl) fn light_kind(light: &Light) -> LightKind {
     let mut bits = light::ENABLED;
     if light.position.w != 0.0 {
         bits |= light::POSITIONAL;
@@ -153,7 +161,12 @@ fn light_bits(light: &Light) -> u8 {
     if light.spot_cutoff != 180.0 {
         bits |= light::SPOT;
     }
-    bits
+    LightKind { bits, glints: light.specular[..3] != [0.0; 3] }
+}
+
+/// What a key says about a material.
+pub(in crate::gl) fn shines(material: &Material) -> bool {
+    material.specular[..3] != [0.0; 3]
 }
 
 /// Whether the result of sampling depends on the level of detail.

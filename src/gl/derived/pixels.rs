@@ -2,9 +2,9 @@
 //! vertices in window space and none of the polygon state.
 
 use super::uniforms;
-use crate::draw::recorder::DrawState;
+use crate::draw::recorder::{DrawState, Revised};
 use crate::draw::texture::TextureBinding;
-use crate::gl::Context;
+use crate::gl::{Context, dirty};
 use crate::program::Output;
 use crate::program::fixed::{self, Source};
 use crate::raster::layout::*;
@@ -24,8 +24,8 @@ impl Context {
         let mut outputs: Vec<Output> = fragment.program.varyings.iter().map(|varying| varying.front).collect();
         outputs.sort_unstable();
         let vertex = fixed::window_program(&outputs);
-        let values = uniforms::Values::new(self);
-        let uniforms: Vec<[f32; 4]> = fragment.slots.iter().map(|slot| values.value(*slot)).collect();
+        let mut uniforms = Vec::new();
+        uniforms::Values::new(self).update(&mut uniforms, &fragment.slots, dirty::ALL);
         let raster_state = RasterState {
             flags: raster_flags::WINDOW_SPACE | raster_flags::NO_Z_CLIP | raster_flags::FRONT_CCW,
             polygon_mode: [topology::TRIANGLES; 2],
@@ -38,10 +38,10 @@ impl Context {
             topology: topology::TRIANGLES,
             vertex_program: &vertex,
             fragment_program: &fragment.program,
-            vertex_uniforms: &[],
-            fragment_uniforms: &uniforms,
-            raster_state,
-            fragment_state,
+            vertex_uniforms: Revised::from(&[][..]),
+            fragment_uniforms: Revised::from(&uniforms[..]),
+            raster_state: Revised::from(&raster_state),
+            fragment_state: Revised::from(&fragment_state),
             textures: &textures,
             stipple: None,
             clip_distance_count: 0,

@@ -6,7 +6,7 @@ use glam::{Mat4, Vec3, Vec4};
 
 use crate::gl::enums::*;
 use crate::gl::state::FogState;
-use crate::gl::{Context, matrix};
+use crate::gl::{Context, dirty, matrix};
 use crate::program::fixed::Slot;
 
 /// Computes slots; what several of them share is computed once.
@@ -21,7 +21,19 @@ impl<'a> Values<'a> {
         Values { cx, mvp: OnceCell::new(), normal: OnceCell::new() }
     }
 
-    pub fn value(&self, slot: Slot) -> [f32; 4] {
+    /// Fills a program's block, and says whether it may have changed. Values of groups that are not in `stale` are kept; the block of
+    /// another program is stale altogether.
+    pub fn update(&self, block: &mut Vec<[f32; 4]>, slots: &[Slot], stale: u32) -> bool {
+        let mut changed = stale == dirty::ALL;
+        block.resize(slots.len(), [0.0; 4]);
+        for (value, &slot) in block.iter_mut().zip(slots).filter(|(_, slot)| groups(**slot) & stale != 0) {
+            *value = self.value(slot);
+            changed = true;
+        }
+        changed
+    }
+
+    fn value(&self, slot: Slot) -> [f32; 4] {
         let cx = self.cx;
         let s = &cx.state;
         let light = |i: u8| &s.lighting.lights[i as usize & 7];
@@ -76,6 +88,32 @@ impl<'a> Values<'a> {
             Slot::FogParameters => fog_parameters(&s.fog),
             Slot::EnvColor(u) => unit(u).env_color,
         }
+    }
+}
+
+/// The groups of state that a slot's value is made of.
+fn groups(slot: Slot) -> u32 {
+    match slot {
+        Slot::Mvp(_) | Slot::ModelView(_) | Slot::NormalRow(_) | Slot::TextureMatrix(..) => dirty::TRANSFORM,
+        Slot::SceneColor(_)
+        | Slot::ModelAmbient
+        | Slot::Emission(_)
+        | Slot::MaterialAmbient(_)
+        | Slot::AmbientProduct(..)
+        | Slot::DiffuseProduct(..)
+        | Slot::SpecularProduct(..)
+        | Slot::LightAmbient(_)
+        | Slot::LightDiffuse(_)
+        | Slot::LightSpecular(_)
+        | Slot::LightPosition(_)
+        | Slot::LightHalf(_)
+        | Slot::LightAttenuation(_)
+        | Slot::LightSpot(_)
+        | Slot::LightExponent(_)
+        | Slot::Shininess(_) => dirty::LIGHTING | dirty::LIGHT_VALUES,
+        Slot::ObjectPlane(..) | Slot::EyePlane(..) | Slot::EnvColor(_) => dirty::TEXTURE,
+        Slot::ClipPlane(_) | Slot::PointSize | Slot::PointAttenuation => dirty::RASTER,
+        Slot::FogColor | Slot::FogParameters => dirty::FOG,
     }
 }
 
