@@ -20,7 +20,7 @@ use super::surface::stats_level;
 use super::texture::Heap;
 use super::visible;
 use crate::device::SurfaceFormat;
-use crate::draw::{Batch, Step};
+use crate::draw::{Batch, Step, recycle};
 use crate::raster::layout::BIN_SIZE;
 use crate::raster::runs;
 
@@ -181,7 +181,7 @@ impl Executor {
     pub fn settle(&mut self) {
         while let Some(Pending { mut batch, places }) = self.pending.take() {
             let Some(status) = self.status() else { return };
-            let Some(&place) = places.get((status.failed as usize).wrapping_sub(1)) else { return };
+            let Some(&place) = places.get((status.failed as usize).wrapping_sub(1)) else { return recycle(batch) };
             log::debug!(target: "tepui::gpu", "a batch did not fit: {status:?}; the rest is drawn with more room or in smaller pieces");
             if !self.room.learn(&status, bins_of(self.size)) {
                 log::error!(target: "tepui::gpu", "a batch does not fit the GPU's buffers even in the smallest pieces; the rest of it is not drawn: {status:?}");
@@ -442,7 +442,9 @@ impl Executor {
             let host = prepared.on_host.then_some(self.host_front.triangles.len());
             stats::print(&batch, &prepared.plan, host, start.elapsed());
         }
-        if !prepared.on_host {
+        if prepared.on_host {
+            recycle(batch);
+        } else {
             let places = prepared.plan.actions.iter().map(|a| a.0).collect();
             self.pending = Some(Pending { batch, places });
         }
