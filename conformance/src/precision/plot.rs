@@ -1,5 +1,7 @@
 //! A work-precision diagram: log error over log time, one curve a method.
 
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, ValueFormatter};
+use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
 use super::{Diagram, Point};
@@ -16,6 +18,56 @@ pub fn style(method: &str) -> (RGBColor, &'static str) {
         "cpu" => (RGBColor(30, 90, 180), "Tepui, CPU AVX2"),
         _ => (RGBColor(20, 140, 70), "Tepui, kernels"),
     }
+}
+
+/// An axis of logarithms, whose ticks are at round values.
+struct Logarithms(RangedCoordf64, Vec<f64>);
+
+impl Logarithms {
+    fn new(from: f64, to: f64) -> Logarithms {
+        Logarithms((from..to).into(), ticks(from, to))
+    }
+}
+
+impl Ranged for Logarithms {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        self.0.map(value, limit)
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
+        self.1.clone()
+    }
+
+    fn range(&self) -> std::ops::Range<f64> {
+        self.0.range()
+    }
+}
+
+impl ValueFormatter<f64> for Logarithms {
+    fn format(value: &f64) -> String {
+        short(10f64.powf(*value))
+    }
+}
+
+/// Logarithms of 1, 2 and 5 times the powers of ten within a range of logarithms, of the powers alone where these are many; round
+/// values at equal distances where they are few.
+fn ticks(from: f64, to: f64) -> Vec<f64> {
+    let within = |values: Vec<f64>| -> Vec<f64> { values.into_iter().map(f64::log10).filter(|t| (from..=to).contains(t)).collect() };
+    let decades = || from.floor() as i32..=to.ceil() as i32;
+    let powers = within(decades().map(|k| 10f64.powi(k)).collect());
+    if powers.len() > 4 {
+        return powers;
+    }
+    let steps = within(decades().flat_map(|k| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(k))).collect());
+    if steps.len() > 3 {
+        return steps;
+    }
+    let [low, high] = [from, to].map(|v| 10f64.powf(v));
+    let step = 10f64.powf(((high - low) / 2.0).log10().floor());
+    within(((low / step).ceil() as u64..=(high / step).floor() as u64).map(|k| k as f64 * step).collect())
 }
 
 /// The diagram as an SVG element, the settings written beside the points of the first curve that has them all.
@@ -47,12 +99,10 @@ pub fn draw(diagram: &Diagram) -> Result<String, String> {
             .margin(12)
             .x_label_area_size(44)
             .y_label_area_size(64)
-            .build_cartesian_2d(left - 0.1..right + 0.35, bottom - margin..top + 2.5 * margin)
+            .build_cartesian_2d(Logarithms::new(left - 0.1, right + 0.35), Logarithms::new(bottom - margin, top + 2.5 * margin))
             .map_err(failed)?;
-        let power = |v: &f64| short(10f64.powf(*v));
         let mut mesh = chart.configure_mesh();
         mesh.x_desc("milliseconds a frame (median and quartiles), log").y_desc("RMS error, 1/255, log");
-        mesh.x_label_formatter(&power).y_label_formatter(&power).x_labels(8).y_labels(8);
         mesh.light_line_style(WHITE).label_style(("sans-serif", 11)).draw().map_err(failed)?;
         for (k, curve) in diagram.curves.iter().enumerate() {
             let (color, name) = style(curve.method);
@@ -78,4 +128,20 @@ pub fn draw(diagram: &Diagram) -> Result<String, String> {
         area.present().map_err(failed)?;
     }
     Ok(svg)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ticks;
+
+    fn values(from: f64, to: f64) -> Vec<f64> {
+        ticks(from.log10(), to.log10()).into_iter().map(|t| (10f64.powf(t) * 1e6).round() / 1e6).collect()
+    }
+
+    #[test]
+    fn ticks_are_round() {
+        assert_eq!(values(0.3, 40.0), [0.5, 1.0, 2.0, 5.0, 10.0, 20.0]);
+        assert_eq!(values(0.05, 3000.0), [0.1, 1.0, 10.0, 100.0, 1000.0]);
+        assert_eq!(values(0.31, 0.68), [0.4, 0.5, 0.6]);
+    }
 }

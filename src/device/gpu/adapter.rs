@@ -126,58 +126,28 @@ fn open() -> Result<Gpu, String> {
     // A kernel that does not build, or a device that is lost, costs the picture, not the process.
     device.on_uncaptured_error(std::sync::Arc::new(|e| log::error!(target: "tepui::gpu", "{e}")));
     let cpu = info.device_type == wgpu::DeviceType::Cpu;
-    // Every GPU fuses; Mesa's software driver does not.
-    let fma64 = cpu && features.contains(wgpu::Features::SHADER_F64);
-    let fuses = !cpu;
     let keys = wgpu::Features::SHADER_INT64 | wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX;
-    let keys64 = features.contains(keys) && device.limits().max_storage_buffers_per_shader_stage >= 12;
     let wanted = wgpu::Features::SUBGROUP | wgpu::Features::SHADER_INT64;
     let subgroup8 = cpu && features.contains(wanted) && info.subgroup_min_size == 8 && info.subgroup_max_size == 8;
-    let texel_words = if subgroup8 { 2 } else { 1 };
-    let mut shape = if cpu {
-        Shape { fine_lanes: 8, list_lanes: 8, subgroup8, fma64, fuses, keys64, texel_words, round_blocks: ROUND_BLOCKS, host_front: cpu }
-    } else {
-        Shape {
-            fine_lanes: 32,
-            list_lanes: 64,
-            subgroup8: false,
-            fma64,
-            fuses,
-            keys64,
-            texel_words,
-            round_blocks: ROUND_BLOCKS,
-            host_front: cpu,
-        }
+    let narrow = Shape {
+        fine_lanes: 8,
+        list_lanes: 8,
+        subgroup8,
+        // Every GPU fuses; Mesa's software driver does not.
+        fma64: cpu && features.contains(wgpu::Features::SHADER_F64),
+        fuses: !cpu,
+        keys64: features.contains(keys) && device.limits().max_storage_buffers_per_shader_stage >= 12,
+        texel_words: if subgroup8 { 2 } else { 1 },
+        round_blocks: ROUND_BLOCKS,
+        host_front: cpu,
     };
+    let wide = |fine_lanes| Shape { fine_lanes, list_lanes: 64, subgroup8: false, ..narrow };
+    let mut shape = if cpu { narrow } else { wide(32) };
     // For tests of the other shapes on one machine.
     match std::env::var("TEPUI_GPU_SHAPE").as_deref() {
-        Ok("32") => shape = Shape { fine_lanes: 32, list_lanes: 64, subgroup8: false, ..shape },
-        Ok("64") => {
-            shape = Shape {
-                fine_lanes: 64,
-                list_lanes: 64,
-                subgroup8: false,
-                fma64,
-                fuses,
-                keys64,
-                texel_words,
-                round_blocks: ROUND_BLOCKS,
-                host_front: cpu,
-            }
-        }
-        Ok("8") => {
-            shape = Shape {
-                fine_lanes: 8,
-                list_lanes: 8,
-                subgroup8: false,
-                fma64,
-                fuses,
-                keys64,
-                texel_words,
-                round_blocks: ROUND_BLOCKS,
-                host_front: cpu,
-            }
-        }
+        Ok("32") => shape = wide(32),
+        Ok("64") => shape = wide(64),
+        Ok("8") => shape = Shape { subgroup8: false, ..narrow },
         _ => {}
     }
     match std::env::var("TEPUI_GPU_FRONT").as_deref() {
