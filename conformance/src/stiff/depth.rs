@@ -1,5 +1,7 @@
 //! Families about depth: ranges that leave the buffer few units, and layers in one plane.
 
+use std::collections::HashMap;
+
 use super::common::{Random, cover, triangles};
 use super::{Case, Family, Score};
 use crate::frame::Frame;
@@ -44,7 +46,7 @@ pub fn families() -> Vec<Family> {
         },
         Family {
             name: "coplanar_offset",
-            about: "Twelve layers of one plane, each cut into triangles at another point, glPolygonOffset(-k, -4k), depth function LESS: the last layer is seen everywhere.",
+            about: "Twelve layers of one plane, each cut into triangles at another point, glPolygonOffset(-k, -4k), depth function LESS: the layer that its offset moves farthest, the last one, is seen everywhere.",
             knob: "slope, depth units a pixel",
             severities: &[0.0, 1.0, 256.0, 4096.0],
             inside: |_| true,
@@ -52,7 +54,7 @@ pub fn families() -> Vec<Family> {
         },
         Family {
             name: "coplanar_offset_32f",
-            about: "The same with 32 bits of floating-point depth, where a unit of glPolygonOffset is the last place of the polygon's greatest depth: 2^-24 here, or half of that.",
+            about: "The same with 32 bits of floating-point depth, where a unit of glPolygonOffset is the last place of the polygon's greatest depth: 2^-24 here, or half of that, so that it need not be the last layer that is moved farthest.",
             knob: "slope, 2^-24 a pixel",
             severities: &[0.0, 1.0, 256.0, 4096.0],
             inside: |_| true,
@@ -78,6 +80,50 @@ fn range(severity: f64, seed: u64, depth_bits: u32) -> Case {
 
 const LAYERS: usize = 12;
 
+/// What a layer's triangles are moved by (3.5.5): the slope times the layer, and four units times it. A unit is one for all triangles where
+/// depth is an integer, and the last place of a triangle's greatest depth where it is a floating-point number.
+struct LayerOffsets {
+    /// For each triangle the least and the greatest offset, where it is not certain which power of two its greatest depth reaches; and its
+    /// unit, the greater one.
+    triangles: Vec<([f64; 2], f64)>,
+    /// The triangle that owns a pixel.
+    owners: HashMap<usize, u32>,
+}
+
+impl LayerOffsets {
+    fn new(layer: f64, list: &[Vertex], owned: impl Iterator<Item = (usize, u32)>, steepness: f64, depth_bits: u32) -> LayerOffsets {
+        let triangles = list.chunks_exact(3).map(|t| {
+            let greatest = t.iter().map(|v| (1.0 - v.position[2] as f64) / 2.0).fold(0.0, f64::max);
+            // Rounded once or twice on its way to the window.
+            let units = [-1.0, 1.0].map(|side| match depth_bits {
+                32 => 2f64.powf((greatest * (1.0 + side * 2f64.powi(-22))).log2().floor() - 23.0),
+                _ => 2f64.powi(-24),
+            });
+            let offset = |unit: f64| -layer * (steepness + 4.0 * unit);
+            ([offset(units[1]), offset(units[0])], units[1])
+        });
+        LayerOffsets { triangles: triangles.collect(), owners: owned.collect() }
+    }
+
+    /// The least and the greatest offset at a pixel, and the greatest unit.
+    fn at(&self, pixel: usize) -> ([f64; 2], f64) {
+        match self.owners.get(&pixel) {
+            Some(&owner) => self.triangles[owner as usize],
+            // On an edge between triangles: any of them.
+            None => self.triangles.iter().fold(([f64::INFINITY, f64::NEG_INFINITY], 0.0), |([low, high], unit), &([l, h], u)| {
+                ([low.min(l), high.max(h)], f64::max(unit, u))
+            }),
+        }
+    }
+
+    /// Whether it may lie before another layer: offsets that differ by less than two units, half of what lies between neighbouring layers,
+    /// may be rounded to either order.
+    fn may_hide(&self, other: &LayerOffsets, pixel: usize) -> bool {
+        let (([low, _], ours), ([_, high], theirs)) = (self.at(pixel), other.at(pixel));
+        low < high + 2.0 * ours.max(theirs)
+    }
+}
+
 fn layers(slope: f64, seed: u64, depth_bits: u32, offset: bool) -> Case {
     let mut random = Random::new("coplanar", slope, seed);
     let view = View::pixels(SIDE, SIDE);
@@ -92,24 +138,36 @@ fn layers(slope: f64, seed: u64, depth_bits: u32, offset: bool) -> Case {
     }
     let corners = [[16.0, 16.0], [240.0, 16.0], [240.0, 240.0], [16.0, 240.0]];
     let mut middle = [128.0, 128.0];
-    let mut last = Vec::new();
+    let mut drawn = Vec::new();
     for layer in 0..LAYERS {
         if offset || layer == 0 {
             middle = [0, 1].map(|_| random.uniform(60.0, 200.0));
         }
         // The exact depths of a plane are not single-precision numbers: corners are rounded to them, as a program's are.
         let vertex = |[x, y]: [f64; 2]| Vertex::new(x as f32, y as f32, z(x, y));
-        last = (0..4).flat_map(|k| [corners[k], corners[(k + 1) % 4], middle].map(vertex)).collect::<Vec<_>>();
+        let list = (0..4).flat_map(|k| [corners[k], corners[(k + 1) % 4], middle].map(vertex)).collect::<Vec<_>>();
         recording.call("polygon_offset", &[], &[-(layer as f32), -4.0 * layer as f32]);
-        recording.call("color", &[], &[layer as f32 / 255.0, 0.0, 1.0, 1.0]).draw(gl::TRIANGLES, has::POSITION, &last);
+        recording.call("color", &[], &[layer as f32 / 255.0, 0.0, 1.0, 1.0]).draw(gl::TRIANGLES, has::POSITION, &list);
+        drawn.push(list);
     }
+    // The plane's slope as 3.5.5 has it: the greater of both.
+    let steepness = slope * angle.cos().max(angle.sin()) / 16777216.0;
     let judge = move |frame: &Frame| {
-        let coverage = cover(&view, SIDE, SIDE, &last, |_, _| true);
+        let cover = |list: &Vec<Vertex>| cover(&view, SIDE, SIDE, list, |_, _| true);
         let mut score = Score::default();
         score.counts.samples = frame.stencil.len() as u64;
-        for (pixel, _) in coverage.owned() {
+        let offsets = offset.then(|| {
+            let layers = drawn.iter().enumerate();
+            layers.map(|(k, list)| LayerOffsets::new(k as f64, list, cover(list).owned(), steepness, depth_bits)).collect::<Vec<_>>()
+        });
+        for (pixel, _) in cover(&drawn[LAYERS - 1]).owned() {
             score.counts.must += 1;
-            score.counts.wrong += u64::from(frame.color[pixel * 4] != (LAYERS - 1) as u8);
+            let seen = frame.color[pixel * 4] as usize;
+            let right = match &offsets {
+                None => seen == LAYERS - 1,
+                Some(layers) => layers.get(seen).is_some_and(|s| layers.iter().all(|other| s.may_hide(other, pixel))),
+            };
+            score.counts.wrong += u64::from(!right);
         }
         score.counts.beyond = score.counts.wrong;
         score
