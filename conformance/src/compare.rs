@@ -68,6 +68,8 @@ pub struct Row {
     pub times: Option<Result<Times, String>>,
     /// Tepui's executors.
     pub sides: Vec<Side>,
+    /// The CPU executor with OSMesa's rules, where those depart from the specification.
+    pub parity: Option<Side>,
 }
 
 /// The environment of the reference.
@@ -108,6 +110,8 @@ fn save(frame: &Frame, reference: &Frame, images: &Path, label: &str, scene: &st
 struct Session {
     reference: Runner,
     tepui: Vec<Runner>,
+    /// `TEPUI_PARITY=osmesa`.
+    parity: Option<Runner>,
     expectations: Expectations,
     images: PathBuf,
     frames: usize,
@@ -124,6 +128,7 @@ impl Session {
             picture: None,
             times: None,
             sides: Vec::new(),
+            parity: None,
         };
         if let Ok(frame) = &reference {
             let picture = format!("{name}-osmesa.png");
@@ -152,6 +157,19 @@ impl Session {
                 cpu = Some(frame);
             }
         }
+        if let Some(runner) = self.parity.as_mut().filter(|_| self.expectations.departs(name)) {
+            let frame = draw(runner, name);
+            let against_reference = match (&reference, &frame) {
+                (Ok(r), Ok(t)) => Ok(compare(r, t)),
+                (Err(why), _) | (_, Err(why)) => Err(why.clone()),
+            };
+            let verdict = self.expectations.judge(name, &scene.class, Device::Parity, &against_reference);
+            let pictures = match (&reference, &frame) {
+                (Ok(r), Ok(t)) => save(t, r, &self.images, runner.label, name),
+                _ => None,
+            };
+            row.parity = Some(Side { device: runner.label, against_reference, against_cpu: None, verdict, times: None, pictures });
+        }
         if self.frames > 0 && scene.flags & TEXT_ONLY == 0 {
             let mut runners = vec![&mut self.reference];
             runners.extend(self.tepui.iter_mut().zip(&row.sides).filter(|(_, s)| s.against_reference.is_ok()).map(|(r, _)| r));
@@ -170,7 +188,7 @@ impl Session {
 /// One line of progress.
 fn line(row: &Row) -> String {
     let mut out = format!("{:<28} {:<6}", row.scene, row.class);
-    for side in &row.sides {
+    for side in row.sides.iter().chain(&row.parity) {
         let verdict = match &side.verdict {
             Verdict::Pass => "ok",
             Verdict::Expected(_) => "expected",
@@ -212,7 +230,10 @@ pub fn main(options: &Options) -> Result<bool, Error> {
         }
     }
     let reference = if options.without_reference { tepui_runner("cpu", &[])? } else { reference_runner()? };
-    let mut session = Session { reference, tepui, expectations, images, frames: options.frames };
+    let parity = (options.device.cpu() && !options.self_test && !options.without_reference)
+        .then(|| Ok::<_, Error>(tepui_runner("cpu", &[("TEPUI_PARITY", "osmesa")])?.labelled("parity")))
+        .transpose()?;
+    let mut session = Session { reference, tepui, parity, expectations, images, frames: options.frames };
     let all = session.reference.scenes()?;
     let names: Vec<String> = all.iter().map(|s| s.name.clone()).collect();
     let strangers: Vec<&str> = session.expectations.strangers(&names).collect();
@@ -234,7 +255,7 @@ pub fn main(options: &Options) -> Result<bool, Error> {
     report::write(&output, &rows, &about)?;
     println!("\nreport: {}", output.join("index.html").display());
     let judged = |side: &&Side| side.device != "cpu" || options.device.cpu() && !options.without_reference;
-    let verdicts: Vec<&Side> = rows.iter().flat_map(|r| &r.sides).filter(judged).collect();
+    let verdicts: Vec<&Side> = rows.iter().flat_map(|r| r.sides.iter().chain(&r.parity)).filter(judged).collect();
     let failed = verdicts.iter().filter(|s| !s.verdict.good()).count();
     println!("conformance: {} passed, {failed} failed", verdicts.len() - failed);
     Ok(failed == 0)

@@ -12,6 +12,8 @@ pub enum Device {
     Cpu,
     /// The kernels against the CPU executor.
     Gpu,
+    /// The CPU executor with `TEPUI_PARITY=osmesa` against Mesa's OSMesa.
+    Parity,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
@@ -34,6 +36,9 @@ pub struct Expectation {
     status: Status,
     /// Why. The report prints it.
     pub reason: String,
+    /// OSMesa departs from the specification here; with `TEPUI_PARITY=osmesa` the class's demand has to hold.
+    #[serde(default)]
+    departure: bool,
     pixels: Option<u64>,
     max: Option<u64>,
     coverage: Option<u64>,
@@ -74,8 +79,8 @@ impl Limits {
         let permille = size / 1000;
         match (device, class) {
             (Device::Gpu, _) => Limits { pixels: ANY, max: 1, depth_pixels: ANY, depth_max: 1, ..EQUAL },
-            (Device::Cpu, "shaded") => Limits { pixels: ANY, max: 1, ..EQUAL },
-            (Device::Cpu, "other") => Limits {
+            (_, "shaded") => Limits { pixels: ANY, max: 1, ..EQUAL },
+            (_, "other") => Limits {
                 pixels: permille,
                 max: ANY,
                 coverage: permille,
@@ -84,7 +89,7 @@ impl Limits {
                 stencil: permille,
                 text: 0,
             },
-            (Device::Cpu, _) => EQUAL,
+            (_, _) => EQUAL,
         }
     }
 
@@ -167,6 +172,11 @@ impl Expectations {
         }
     }
 
+    /// OSMesa's own rule, against the specification, is why the scene differs.
+    pub fn departs(&self, scene: &str) -> bool {
+        self.0.iter().any(|e| e.scene == scene && e.departure)
+    }
+
     /// Scenes that have an exception but do not exist.
     pub fn strangers<'a>(&'a self, scenes: &'a [String]) -> impl Iterator<Item = &'a str> {
         self.0.iter().map(|e| e.scene.as_str()).filter(|name| !scenes.iter().any(|s| s == name))
@@ -200,6 +210,17 @@ mod tests {
         assert!(!list.judge("a", "exact", Device::Cpu, &difference(11, 3)).good());
         assert!(matches!(list.judge("a", "exact", Device::Cpu, &difference(0, 0)), Verdict::UnexpectedPass(_)));
         assert!(list.judge("a", "exact", Device::Gpu, &difference(11, 1)).good());
+    }
+
+    #[test]
+    fn a_departure_ends_with_parity() {
+        let toml =
+            "[[expect]]\nscene = \"a\"\ndevice = \"cpu\"\nstatus = \"within\"\npixels = 100\ndeparture = true\nreason = \"Mesa's rule\"\n";
+        let list = Expectations::parse(toml).unwrap();
+        assert!(list.departs("a") && !list.departs("b"));
+        assert!(list.judge("a", "other", Device::Cpu, &difference(100, 255)).good());
+        assert!(!list.judge("a", "other", Device::Parity, &difference(100, 255)).good());
+        assert_eq!(list.judge("a", "other", Device::Parity, &difference(65, 255)), Verdict::Pass);
     }
 
     #[test]

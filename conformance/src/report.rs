@@ -64,6 +64,7 @@ fn name(side: &Side) -> &'static str {
     match side.device {
         "cpu" => "CPU executor",
         "gpu" => "kernels",
+        "parity" => "TEPUI_PARITY=osmesa",
         other => other,
     }
 }
@@ -74,7 +75,7 @@ fn section(row: &Row) -> Markup {
             h3 { (row.scene) " " small { (row.class) } }
             p { (row.proves) }
             @if let Some(picture) = &row.picture { figure { img src=(picture) loading="lazy"; figcaption { "OSMesa" } } }
-            @for side in &row.sides {
+            @for side in row.sides.iter().chain(&row.parity) {
                 @if let Some([picture, difference]) = &side.pictures {
                     figure { img src=(picture) loading="lazy"; figcaption { (name(side)) } }
                     figure { img src=(difference) loading="lazy"; figcaption { (name(side)) " - OSMesa, x16" } }
@@ -82,12 +83,12 @@ fn section(row: &Row) -> Markup {
             }
             table {
                 (heads("against"))
-                @for side in &row.sides {
+                @for side in row.sides.iter().chain(&row.parity) {
                     tr { td { (name(side)) " - OSMesa" } (difference_cells(&side.against_reference)) }
                     @if let Some(outcome) = &side.against_cpu { tr { td { (name(side)) " - CPU executor" } (difference_cells(outcome)) } }
                 }
             }
-            @for side in &row.sides {
+            @for side in row.sides.iter().chain(&row.parity) {
                 p {
                     (name(side)) ": " (verdict(&side.verdict))
                     @match &side.verdict { Verdict::Expected(why) | Verdict::Fail(why) | Verdict::UnexpectedPass(why) => { ": " (why) } Verdict::Pass => {} }
@@ -102,7 +103,7 @@ fn section(row: &Row) -> Markup {
 }
 
 fn page(rows: &[Row], about: &[(&str, String)]) -> Markup {
-    let good = rows.iter().filter(|r| r.sides.iter().all(|s| s.verdict.good())).count();
+    let good = rows.iter().filter(|r| r.sides.iter().chain(&r.parity).all(|s| s.verdict.good())).count();
     html! {
         (DOCTYPE)
         html lang="en" {

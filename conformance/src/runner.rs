@@ -65,6 +65,12 @@ impl Runner {
         self
     }
 
+    /// The same runner under another name.
+    pub fn labelled(mut self, label: &'static str) -> Runner {
+        self.label = label;
+        self
+    }
+
     /// The same runner with more environment.
     pub fn with(mut self, environment: &[(&str, &str)]) -> Runner {
         self.environment.extend(environment.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())));

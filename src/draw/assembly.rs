@@ -53,6 +53,15 @@ pub enum QuadSplit {
     Decomposed,
 }
 
+/// How polygons become triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Decomposition {
+    /// Diagonals of quads.
+    pub quads: QuadSplit,
+    /// Edge flags count in strips and fans as well. Mesa has it so; by 2.6.2 all edges there are boundaries.
+    pub flagged_strips: bool,
+}
+
 /// Which part of a Begin/End pair a run of vertices is. The default is all of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Part {
@@ -69,8 +78,8 @@ pub struct Assembly {
     pub mode: PrimitiveType,
     /// Part of the pair.
     pub part: Part,
-    /// Diagonal.
-    pub split: QuadSplit,
+    /// Into triangles.
+    pub decomposition: Decomposition,
     /// Index of the draw, for the records.
     pub draw: u32,
 }
@@ -97,6 +106,12 @@ impl Assembly {
         let draw = self.draw;
         let Part { continued, continues } = self.part;
         let flag = |i: u32, bit: u32| if edge(i) { bit } else { 0 };
+        let Decomposition { quads, flagged_strips } = self.decomposition;
+        // The edges from vertices of a triangle of a strip or fan.
+        let strip = |v: [u32; 3]| {
+            let bits = [PRIM_EDGE_01, PRIM_EDGE_12, PRIM_EDGE_20];
+            (0..3).map(|k| if flagged_strips { flag(v[k], bits[k]) } else { bits[k] }).sum::<u32>()
+        };
         let point = |a: u32| Primitive { v: [vertex(a), 0, 0], draw_and_flags: draw };
         let line = |a: u32, b: u32, flags: u32| Primitive { v: [vertex(a), vertex(b), 0], draw_and_flags: draw | flags };
         let triangle =
@@ -125,11 +140,12 @@ impl Assembly {
             PrimitiveType::TriangleStrip => {
                 out.extend((2..count).map(|i| {
                     let odd = i & 1;
-                    triangle(i + odd - 2, i - odd - 1, i, ALL_EDGES | PRIM_RESET_STIPPLE)
+                    let v = [i + odd - 2, i - odd - 1, i];
+                    triangle(v[0], v[1], v[2], strip(v) | PRIM_RESET_STIPPLE)
                 }));
             }
             PrimitiveType::TriangleFan => {
-                out.extend((2..count).map(|i| triangle(0, i - 1, i, ALL_EDGES | PRIM_RESET_STIPPLE)));
+                out.extend((2..count).map(|i| triangle(0, i - 1, i, strip([0, i - 1, i]) | PRIM_RESET_STIPPLE)));
             }
             PrimitiveType::Quads => {
                 out.reserve(count as usize / 2);
@@ -139,7 +155,7 @@ impl Assembly {
                     let bits = |a: bool, b: bool, c: bool| {
                         (if a { PRIM_EDGE_01 } else { 0 }) | (if b { PRIM_EDGE_12 } else { 0 }) | (if c { PRIM_EDGE_20 } else { 0 })
                     };
-                    if self.split == QuadSplit::Diagonal02 {
+                    if quads == QuadSplit::Diagonal02 {
                         out.push(triangle(i, i + 1, i + 2, bits(e0, e1, false) | PRIM_RESET_STIPPLE));
                         out.push(triangle(i, i + 2, i + 3, bits(false, e2, e3)));
                     } else {
@@ -151,7 +167,7 @@ impl Assembly {
             PrimitiveType::QuadStrip => {
                 for k in 0..(count / 2).saturating_sub(1) {
                     let i = 2 * k + 3;
-                    if self.split == QuadSplit::Decomposed {
+                    if quads == QuadSplit::Decomposed {
                         out.push(triangle(i - 1, i - 3, i, PRIM_EDGE_01 | PRIM_EDGE_20 | PRIM_RESET_STIPPLE));
                         out.push(triangle(i - 3, i - 2, i, PRIM_EDGE_01 | PRIM_EDGE_12));
                     } else {
@@ -206,9 +222,14 @@ pub fn carry(mode: PrimitiveType, count: u32) -> (u32, [Option<u32>; 3]) {
 mod tests {
     use super::*;
 
-    fn assemble(mode: PrimitiveType, count: u32, split: QuadSplit) -> Vec<[u32; 3]> {
+    fn assemble(mode: PrimitiveType, count: u32, quads: QuadSplit) -> Vec<[u32; 3]> {
         let mut out = Vec::new();
-        Assembly { mode, part: Part::default(), split, draw: 0 }.run(count, |i| i, |_| true, &mut out);
+        Assembly { mode, part: Part::default(), decomposition: Decomposition { quads, ..Default::default() }, draw: 0 }.run(
+            count,
+            |i| i,
+            |_| true,
+            &mut out,
+        );
         out.iter().map(|p| p.v).collect()
     }
 
@@ -230,9 +251,21 @@ mod tests {
     }
 
     #[test]
+    fn edge_flags_count_in_fans_where_asked() {
+        for (flagged_strips, boundaries) in [(false, 9), (true, 7)] {
+            let mut out = Vec::new();
+            let decomposition = Decomposition { flagged_strips, ..Default::default() };
+            let assembly = Assembly { mode: PrimitiveType::TriangleFan, part: Part::default(), decomposition, draw: 0 };
+            // Vertex 3 belongs to the second and the third triangle.
+            assembly.run(5, |i| i, |i| i != 3, &mut out);
+            assert_eq!(out.iter().map(|p| (p.draw_and_flags & ALL_EDGES).count_ones()).sum::<u32>(), boundaries);
+        }
+    }
+
+    #[test]
     fn listed_triangles_are_those_of_a_run() {
         let list = [7, 9, 8, 9, 9, 12, 7, 10, 11, 8];
-        let assembly = Assembly { mode: PrimitiveType::Triangles, part: Part::default(), split: QuadSplit::Diagonal02, draw: 5 };
+        let assembly = Assembly { mode: PrimitiveType::Triangles, part: Part::default(), decomposition: Decomposition::default(), draw: 5 };
         let (mut run, mut listed) = (Vec::new(), Vec::new());
         assembly.run(list.len() as u32, |i| list[i as usize] - 7 + 100, |_| true, &mut run);
         assembly.listed_triangles(&list, 100 - 7, &mut listed);
@@ -252,7 +285,7 @@ mod tests {
     #[test]
     fn a_polygon_has_only_its_outline_as_edges() {
         let mut out = Vec::new();
-        let assembly = Assembly { mode: PrimitiveType::Polygon, part: Part::default(), split: QuadSplit::Diagonal02, draw: 0 };
+        let assembly = Assembly { mode: PrimitiveType::Polygon, part: Part::default(), decomposition: Decomposition::default(), draw: 0 };
         assembly.run(5, |i| i, |_| true, &mut out);
         let edges: u32 = out.iter().map(|p| (p.draw_and_flags & (PRIM_EDGE_01 | PRIM_EDGE_12 | PRIM_EDGE_20)).count_ones()).sum();
         assert_eq!(edges, 5);
@@ -272,14 +305,14 @@ mod tests {
                         if run.len() == limit {
                             let (now, carried) = carry(mode, run.len() as u32);
                             let part = Part { continued, continues: true };
-                            let assembly = Assembly { mode, part, split: QuadSplit::Diagonal02, draw: 0 };
+                            let assembly = Assembly { mode, part, decomposition: Decomposition::default(), draw: 0 };
                             assembly.run(now, |i| run[i as usize], |_| true, &mut parts);
                             run = carried.iter().flatten().map(|&i| run[i as usize]).collect();
                             continued = true;
                         }
                     }
                     let part = Part { continued, continues: false };
-                    let assembly = Assembly { mode, part, split: QuadSplit::Diagonal02, draw: 0 };
+                    let assembly = Assembly { mode, part, decomposition: Decomposition::default(), draw: 0 };
                     assembly.run(run.len() as u32, |i| run[i as usize], |_| true, &mut parts);
                     let mut whole = Vec::new();
                     Assembly { part: Part::default(), ..assembly }.run(total, |i| i, |_| true, &mut whole);

@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use super::assembly::{Assembly, Part, PrimitiveType, QuadSplit};
+use super::assembly::{Assembly, Decomposition, Part, PrimitiveType};
 use super::{Batch, Clear, Draw, Step};
 use crate::program::Program;
 use crate::raster::layout::*;
@@ -115,7 +115,7 @@ impl Recorder {
     }
 
     /// Draws a run of vertices in the state set before. Attributes that the run does not have come from `current`.
-    pub fn draw_run(&mut self, mode: PrimitiveType, part: Part, split: QuadSplit, run: &Run, current: &[[f32; 4]; ATTRIBUTES]) {
+    pub fn draw_run(&mut self, mode: PrimitiveType, part: Part, decomposition: Decomposition, run: &Run, current: &[[f32; 4]; ATTRIBUTES]) {
         let Some(prepared) = &self.prepared else { return };
         let reads = prepared.vertex_program.attributes;
         let wanted = run.mask & (reads | 1);
@@ -144,7 +144,7 @@ impl Recorder {
         }
         self.finish_vertices(run.count);
         let draw = (self.batch.draws.len() - 1) as u32;
-        let assembly = Assembly { mode, part, split, draw };
+        let assembly = Assembly { mode, part, decomposition, draw };
         let out = &mut self.batch.primitives;
         match run.edge_flags {
             None => assembly.run(run.count, |i| base + i, |_| true, out),

@@ -4,8 +4,9 @@ use glam::{DMat4, DVec4, Mat4};
 
 use super::enable::index_below;
 use super::enums::*;
+use super::parity::plane_through_osmesas_inverse;
 use super::state::MAX_CLIP_PLANES;
-use super::{Context, dirty};
+use super::{Context, Parity, dirty};
 
 impl Context {
     /// glClipPlane: the plane is kept in eye coordinates, `equation * inverse(modelview)`.
@@ -16,7 +17,11 @@ impl Context {
         let Some(index) = index_below(plane, GL_CLIP_PLANE0, MAX_CLIP_PLANES) else {
             return self.set_error(GL_INVALID_ENUM, "glClipPlane");
         };
-        self.state.transform.clip_planes[index] = plane_to_eye(self.modelview.top(), DVec4::from(equation)).as_vec4();
+        let (modelview, equation) = (self.modelview.top(), DVec4::from(equation));
+        self.state.transform.clip_planes[index] = match self.config.parity {
+            Parity::Specification => plane_through_inverse(modelview, equation).as_vec4(),
+            Parity::Osmesa => plane_through_osmesas_inverse(modelview, equation.as_vec4()),
+        };
         self.dirty |= dirty::RASTER;
     }
 
@@ -33,10 +38,10 @@ impl Context {
     }
 }
 
-/// A plane (a row vector) times the inverse of the model-view matrix. A singular matrix leaves the plane as it is: the
+/// A plane (a row vector) times the inverse of a matrix. A singular matrix leaves the plane as it is: the
 /// specification leaves the result undefined.
-pub(crate) fn plane_to_eye(modelview: &Mat4, plane: DVec4) -> DVec4 {
-    let matrix: DMat4 = modelview.as_dmat4();
+pub(crate) fn plane_through_inverse(matrix: &Mat4, plane: DVec4) -> DVec4 {
+    let matrix: DMat4 = matrix.as_dmat4();
     let determinant = matrix.determinant();
     if determinant == 0.0 || !determinant.is_finite() {
         return plane;

@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
-use super::Context;
 use super::enums::*;
 use super::framebuffer::{depth_word, pixel_index, write_color, write_depth_stencil};
 use super::framebuffer_object::Aspect;
+use super::parity::mapped_as_osmesa;
 use super::pixel_format::{ClientImage, Groups, check};
 use super::pixel_rectangle::Placed;
+use super::{Context, Parity};
 use crate::device::{ColorFormat, DepthFormat, Pixels};
 
 impl Context {
@@ -53,7 +54,11 @@ impl Context {
         if let Groups::DepthStencil(words) = image.groups {
             return self.draw_depth_stencil([width, height], words);
         }
-        let groups = self.state.pixel.transferred_colors(image.groups);
+        let transfer = &self.state.pixel;
+        let groups = match self.config.parity {
+            Parity::Osmesa if transfer.map_color => mapped_as_osmesa(transfer, [width, height], image.groups),
+            _ => transfer.transferred_colors(image.groups),
+        };
         self.draw_groups([width, height], groups);
     }
 

@@ -1,9 +1,9 @@
 //! From runs of vertices to the recorder: the state is derived when it changed, and selection and feedback get the assembled
 //! primitives instead.
 
-use super::Context;
 use super::enums::*;
-use crate::draw::assembly::{Assembly, Part, PrimitiveType, QuadSplit};
+use super::{Context, Parity};
+use crate::draw::assembly::{Assembly, Decomposition, Part, PrimitiveType, QuadSplit};
 use crate::draw::recorder::Run;
 use crate::raster::layout::{ATTRIBUTES, Primitive};
 
@@ -40,10 +40,10 @@ impl Context {
         if !self.can_draw("drawing") {
             return;
         }
-        let split = self.quad_split(indexed);
+        let decomposition = self.decomposition(indexed);
         if self.render_mode != GL_RENDER {
             let mut primitives = Vec::new();
-            Assembly { mode, part, split, draw: 0 }.run(run.count, |i| i, |i| run.edge_flag(i), &mut primitives);
+            Assembly { mode, part, decomposition, draw: 0 }.run(run.count, |i| i, |i| run.edge_flag(i), &mut primitives);
             let assembled = Assembled { topology: mode.topology(), primitives: &primitives, run };
             return self.select_or_feedback(&assembled);
         }
@@ -51,19 +51,20 @@ impl Context {
             self.flush_batch();
         }
         self.validate(mode.topology());
-        self.recorder.draw_run(mode, part, split, run, &self.state.current.attributes);
+        self.recorder.draw_run(mode, part, decomposition, run, &self.state.current.attributes);
     }
 
-    /// Along which diagonal quads are split: Mesa's choice, where it depends on the state.
-    pub(crate) fn quad_split(&self, indexed: bool) -> QuadSplit {
+    /// How polygons are cut into triangles: Mesa's choice, where it depends on the state.
+    pub(crate) fn decomposition(&self, indexed: bool) -> Decomposition {
         let polygon = &self.state.polygon;
-        if polygon.stipple || polygon.mode != [GL_FILL; 2] {
+        let quads = if polygon.stipple || polygon.mode != [GL_FILL; 2] {
             QuadSplit::Decomposed
         } else if indexed || self.state.lighting.shade_model == GL_FLAT {
             QuadSplit::Diagonal13
         } else {
             QuadSplit::Diagonal02
-        }
+        };
+        Decomposition { quads, flagged_strips: self.config.parity == Parity::Osmesa }
     }
 
     /// Derives what the draws see and tells the recorder, if anything changed.

@@ -2,7 +2,7 @@
 //! vertex program runs as for drawing; a recorder of its own takes the derived state.
 
 use super::Context;
-use crate::draw::assembly::{Part, PrimitiveType, QuadSplit};
+use crate::draw::assembly::{Decomposition, Part, PrimitiveType};
 use crate::draw::recorder::{Recorder, Run};
 use crate::program::Output;
 use crate::raster::layout::{DrawRecord, RasterState};
@@ -60,7 +60,7 @@ impl Context {
         self.shading_on_host = true;
         self.validate(topology);
         self.shading_on_host = false;
-        self.recorder.draw_run(PrimitiveType::Points, Part::default(), QuadSplit::Diagonal02, run, &self.state.current.attributes);
+        self.recorder.draw_run(PrimitiveType::Points, Part::default(), Decomposition::default(), run, &self.state.current.attributes);
         let batch = self.recorder.take();
         std::mem::swap(&mut self.recorder, &mut host.recorder);
         // What was derived belongs to the other recorder.

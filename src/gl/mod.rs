@@ -46,6 +46,7 @@ pub mod list_names;
 pub mod matrix;
 pub mod mipmap;
 mod object_names;
+mod parity;
 pub mod pixel_format;
 pub mod pixel_objects;
 pub(crate) mod pixel_record;
@@ -81,6 +82,7 @@ use crate::device::{ColorFormat, DepthFormat, Device, Surface, SurfaceFormat};
 use crate::draw::recorder::Recorder;
 use begin_end::Immediate;
 use enums::*;
+pub use parity::Parity;
 use state::{MatrixStack, State};
 
 /// A GL context.
@@ -154,11 +156,20 @@ pub struct ContextConfig {
     pub accum_bits: u32,
     /// Samples of a pixel: 1, 2, 4, 8 or 16.
     pub samples: u32,
+    /// Whose rule holds where Mesa's OSMesa departs from the specification.
+    pub parity: Parity,
 }
 
 impl Default for ContextConfig {
     fn default() -> ContextConfig {
-        ContextConfig { color: ColorFormat::Rgba8, depth_bits: 24, stencil_bits: 8, accum_bits: 0, samples: 1 }
+        ContextConfig {
+            color: ColorFormat::Rgba8,
+            depth_bits: 24,
+            stencil_bits: 8,
+            accum_bits: 0,
+            samples: 1,
+            parity: Parity::Specification,
+        }
     }
 }
 

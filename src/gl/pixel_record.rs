@@ -7,7 +7,7 @@ use super::framebuffer::{Rect, depth_word};
 use super::pixel_format::Groups;
 use super::pixel_rectangle::Placed;
 use super::texture_object::unique_image_id;
-use crate::draw::assembly::{Part, PrimitiveType, QuadSplit};
+use crate::draw::assembly::{Decomposition, Part, PrimitiveType};
 use crate::draw::recorder::Run;
 use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
 use crate::program::fixed::IMAGE_COORDINATES;
@@ -173,7 +173,7 @@ impl Context {
         }
         self.set_rectangle_state(image);
         let run = Run { mask: 1 | slot, data, count: (data.len() / 2) as u32, edge_flags: None };
-        self.recorder.draw_run(PrimitiveType::Quads, Part::default(), QuadSplit::Diagonal02, &run, &current);
+        self.recorder.draw_run(PrimitiveType::Quads, Part::default(), Decomposition::default(), &run, &current);
     }
 }
 

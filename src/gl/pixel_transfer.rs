@@ -12,7 +12,7 @@ pub const MAX_PIXEL_MAP_TABLE: usize = 256;
 
 const S_TO_S: usize = (GL_PIXEL_MAP_S_TO_S - GL_PIXEL_MAP_I_TO_I) as usize;
 const I_TO_R: usize = (GL_PIXEL_MAP_I_TO_R - GL_PIXEL_MAP_I_TO_I) as usize;
-const R_TO_R: usize = (GL_PIXEL_MAP_R_TO_R - GL_PIXEL_MAP_I_TO_I) as usize;
+pub(super) const R_TO_R: usize = (GL_PIXEL_MAP_R_TO_R - GL_PIXEL_MAP_I_TO_I) as usize;
 
 fn map_slot(map: GLenum) -> Option<usize> {
     (GL_PIXEL_MAP_I_TO_I..=GL_PIXEL_MAP_A_TO_A).contains(&map).then(|| (map - GL_PIXEL_MAP_I_TO_I) as usize)

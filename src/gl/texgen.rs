@@ -3,7 +3,7 @@
 use glam::Vec4;
 
 use super::checks::{Params, enum_from, put, vec4};
-use super::clip_plane::plane_to_eye;
+use super::clip_plane::plane_through_inverse;
 use super::enable::index_below;
 use super::enums::*;
 use super::query::{Kind, Value};
@@ -39,7 +39,7 @@ impl Context {
             }
             (GL_OBJECT_PLANE, Some(plane)) => put(&mut texgen.object_plane, Vec4::from(plane), &mut self.dirty, dirty::TEXTURE),
             (GL_EYE_PLANE, Some(plane)) => {
-                let plane = plane_to_eye(&modelview, Vec4::from(plane).as_dvec4()).as_vec4();
+                let plane = plane_through_inverse(&modelview, Vec4::from(plane).as_dvec4()).as_vec4();
                 put(&mut texgen.eye_plane, plane, &mut self.dirty, dirty::TEXTURE);
             }
             _ => self.set_error(GL_INVALID_ENUM, "glTexGen"),

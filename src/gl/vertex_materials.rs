@@ -93,14 +93,14 @@ impl Context {
         }
         self.validate(mode.topology());
         self.recorder.replace_vertex_program(&program);
-        let split = self.quad_split(false);
+        let decomposition = self.decomposition(false);
         let run = Run {
             mask: (1 << (shaded.outputs.len() + 1)) - 1,
             data: &shaded.data,
             count: shaded.edge_flags.len() as u32,
             edge_flags: Some(&shaded.edge_flags),
         };
-        self.recorder.draw_run(mode, part, split, &run, &self.state.current.attributes);
+        self.recorder.draw_run(mode, part, decomposition, &run, &self.state.current.attributes);
         self.recorder.forget_state();
     }
 }

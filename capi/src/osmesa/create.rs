@@ -4,7 +4,7 @@ use std::ffi::c_int;
 
 use tepui::device::samples;
 use tepui::gl::enums::{GL_UNSIGNED_BYTE, GLenum};
-use tepui::gl::{Context, ContextConfig};
+use tepui::gl::{Context, ContextConfig, Parity};
 
 use super::format::Format;
 use super::handle::{self, Handle};
@@ -49,6 +49,7 @@ fn create(request: &Request, share: Handle) -> Option<Handle> {
         },
         stencil_bits: if request.stencil > 0 { 8 } else { 0 },
         accum_bits: if request.accum > 0 { 16 } else { 0 },
+        parity: Parity::from_environment(),
         ..ContextConfig::default()
     };
     let shared = if share.is_null() { None } else { Some(handle::get(share)?) };

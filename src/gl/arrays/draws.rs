@@ -187,7 +187,7 @@ impl Context {
             self.flush_batch();
         }
         self.validate(mode.topology());
-        let split = self.quad_split(indices.is_some());
+        let decomposition = self.decomposition(indices.is_some());
         let edge_flags = self.array_edge_flags(elements);
         let Some(program) = self.recorder.vertex_program() else { return };
         let mask = self.arrays.attributes & (program.attributes | 1);
@@ -204,7 +204,7 @@ impl Context {
         }
         self.recorder.finish_vertices(count);
         let (out, draw) = self.recorder.primitives();
-        let assembly = Assembly { mode, part, split, draw };
+        let assembly = Assembly { mode, part, decomposition, draw };
         match (indices, &edge_flags) {
             (Some(indices), None) if mode == PrimitiveType::Triangles => {
                 assembly.listed_triangles(indices.list, base.wrapping_sub(indices.first), out);

@@ -1,9 +1,9 @@
 //! State → keys of the fixed-function programs: what is enabled and has an effect, nothing else.
 
 use crate::draw::texture::{Sampler, TextureBinding, TextureKind};
-use crate::gl::Context;
 use crate::gl::enums::*;
 use crate::gl::state::{Light, MAX_TEXTURE_UNITS, Material, TextureUnit};
+use crate::gl::{Context, Parity};
 use crate::program::Output;
 use crate::program::fixed::*;
 use crate::raster::layout::topology;
@@ -50,7 +50,7 @@ impl Context {
         if s.line.smooth && becomes(topology::LINES, GL_LINE) {
             Smooth::Line
         } else if s.point.smooth && becomes(topology::POINTS, GL_POINT) {
-            Smooth::Point
+            if self.config.parity == Parity::Osmesa { Smooth::Disc } else { Smooth::Point }
         } else {
             Smooth::None
         }
@@ -83,6 +83,7 @@ impl Context {
                 (true, _) => FogCoord::EyeZ,
             },
             eye: everything,
+            planes_in_clip_space: self.config.parity == Parity::Osmesa,
             clip_planes: s.transform.clip_enabled.iter().filter(|e| **e).count() as u8,
             point_attenuation: points && s.point.attenuation != [1.0, 0.0, 0.0],
         }

@@ -5,8 +5,9 @@ use std::cell::OnceCell;
 use glam::{Mat4, Vec3, Vec4};
 
 use crate::gl::enums::*;
+use crate::gl::parity::plane_through_osmesas_inverse;
 use crate::gl::state::FogState;
-use crate::gl::{Context, dirty, matrix};
+use crate::gl::{Context, Parity, dirty, matrix};
 use crate::program::fixed::Slot;
 
 /// Computes slots; what several of them share is computed once.
@@ -80,7 +81,11 @@ impl<'a> Values<'a> {
             Slot::EyePlane(u, c) => unit(u).texgen[c as usize & 3].eye_plane.to_array(),
             Slot::ClipPlane(n) => {
                 let enabled = (0..s.transform.clip_enabled.len()).filter(|k| s.transform.clip_enabled[*k]);
-                enabled.skip(n as usize).map(|k| s.transform.clip_planes[k]).next().unwrap_or(Vec4::ZERO).to_array()
+                let plane = enabled.skip(n as usize).map(|k| s.transform.clip_planes[k]).next().unwrap_or(Vec4::ZERO);
+                match cx.config.parity {
+                    Parity::Specification => plane.to_array(),
+                    Parity::Osmesa => plane_through_osmesas_inverse(cx.projection.top(), plane).to_array(),
+                }
             }
             Slot::PointSize => [s.point.size, s.point.size_min.max(1.0), s.point.size_max.clamp(1.0, 255.0), 0.0],
             Slot::PointAttenuation => [s.point.attenuation[0], s.point.attenuation[1], s.point.attenuation[2], 0.0],
@@ -112,7 +117,8 @@ fn groups(slot: Slot) -> u32 {
         | Slot::LightExponent(_)
         | Slot::Shininess(_) => dirty::LIGHTING | dirty::LIGHT_VALUES,
         Slot::ObjectPlane(..) | Slot::EyePlane(..) | Slot::EnvColor(_) => dirty::TEXTURE,
-        Slot::ClipPlane(_) | Slot::PointSize | Slot::PointAttenuation => dirty::RASTER,
+        Slot::ClipPlane(_) => dirty::RASTER | dirty::TRANSFORM,
+        Slot::PointSize | Slot::PointAttenuation => dirty::RASTER,
         Slot::FogColor | Slot::FogParameters => dirty::FOG,
     }
 }

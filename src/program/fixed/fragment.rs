@@ -27,6 +27,8 @@ pub enum Smooth {
     #[default]
     None,
     Point,
+    /// A point of OSMesa's: the pixels whose centres lie within the radius, which is one pixel at least, are covered wholly.
+    Disc,
     Line,
 }
 
@@ -196,6 +198,10 @@ fn smooth(b: &mut Build) {
     let c = b.varying(Output::Coverage);
     match b.key.smooth {
         Smooth::Point => b.t.line(format!("let coverage = saturate({c}.y - sqrt({c}.x * {c}.x + {c}.z * {c}.z));")),
+        Smooth::Disc => {
+            b.t.line(format!("let radius = max({c}.y - 0.5, 1.0);"));
+            b.t.line(format!("let coverage = select(0.0, 1.0, {c}.x * {c}.x + {c}.z * {c}.z <= radius * radius);"));
+        }
         _ => b.t.line(format!("let coverage = saturate({c}.y - abs({c}.x)) * saturate({c}.w - abs({c}.z));")),
     }
     b.t.line("color.a = color.a * coverage;");

@@ -39,8 +39,8 @@ fn lighting() -> impl Strategy<Value = LightingKey> {
 fn vertex_key() -> impl Strategy<Value = VertexKey> {
     let normal = prop_oneof![Just(Normal::Keep), Just(Normal::Rescale), Just(Normal::Normalize)];
     let fog = prop_oneof![Just(FogCoord::None), Just(FogCoord::EyeZ), Just(FogCoord::Attribute)];
-    (any::<[bool; 4]>(), lighting(), normal, proptest::collection::vec(tex_coord(), 8), fog, 0u8..=8).prop_map(
-        |([color, secondary, eye, point_attenuation], lighting, normal, units, fog, clip_planes)| VertexKey {
+    (any::<[bool; 5]>(), lighting(), normal, proptest::collection::vec(tex_coord(), 8), fog, 0u8..=8).prop_map(
+        |([color, secondary, eye, point_attenuation, planes_in_clip_space], lighting, normal, units, fog, clip_planes)| VertexKey {
             color,
             secondary,
             lighting,
@@ -49,6 +49,7 @@ fn vertex_key() -> impl Strategy<Value = VertexKey> {
             fog,
             eye,
             clip_planes,
+            planes_in_clip_space,
             point_attenuation,
         },
     )
@@ -103,13 +104,9 @@ fn unit() -> impl Strategy<Value = UnitKey> {
 
 fn fragment_key() -> impl Strategy<Value = FragmentKey> {
     let fog = prop_oneof![Just(Fog::None), Just(Fog::Linear), Just(Fog::Exp), Just(Fog::Exp2)];
-    (any::<[bool; 3]>(), fog, proptest::collection::vec(unit(), 8)).prop_map(|([flat, two_side, color_sum], fog, units)| FragmentKey {
-        flat,
-        two_side,
-        color_sum,
-        fog,
-        units: std::array::from_fn(|k| units[k]),
-        ..FragmentKey::default()
+    let smooth = prop_oneof![Just(Smooth::None), Just(Smooth::Point), Just(Smooth::Disc), Just(Smooth::Line)];
+    (any::<[bool; 3]>(), fog, smooth, proptest::collection::vec(unit(), 8)).prop_map(|([flat, two_side, color_sum], fog, smooth, units)| {
+        FragmentKey { flat, two_side, color_sum, fog, smooth, units: std::array::from_fn(|k| units[k]), ..FragmentKey::default() }
     })
 }
 

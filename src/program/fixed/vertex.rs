@@ -50,6 +50,8 @@ pub struct VertexKey {
     pub eye: bool,
     /// User clip distances.
     pub clip_planes: u8,
+    /// Those take clip coordinates instead of eye coordinates.
+    pub planes_in_clip_space: bool,
     /// Distance attenuation of the point size.
     pub point_attenuation: bool,
 }
@@ -63,7 +65,7 @@ pub(super) fn generate(key: &VertexKey) -> FixedProgram {
     t.line(format!("out.position = {position};"));
     let lit = key.lighting.enabled && (key.color || key.secondary);
     let generates = |needs: fn(&TexCoordKey) -> bool| key.units.iter().any(needs);
-    let eye = key.clip_planes > 0
+    let eye = key.clip_planes > 0 && !key.planes_in_clip_space
         || key.point_attenuation
         || key.fog == FogCoord::EyeZ
         || lit && key.lighting.needs_eye()
@@ -129,6 +131,7 @@ pub(super) fn generate(key: &VertexKey) -> FixedProgram {
             write(&mut t, &mut outputs, Output::Fog, "vec4<f32>(in.a5.x, 0.0, 0.0, 1.0)");
         }
     }
+    let place = if key.planes_in_clip_space { "out.position" } else { "eye" };
     for group in 0..key.clip_planes.div_ceil(4) {
         let mut distances = Vec::new();
         for i in group * 4..group * 4 + 4 {
@@ -138,7 +141,7 @@ pub(super) fn generate(key: &VertexKey) -> FixedProgram {
             }
             // Where a plane cuts decides between pixels: its terms are rounded as on the CPU.
             let plane = t.slot(Slot::ClipPlane(i));
-            t.line(format!("let terms{i} = products({plane}, eye);"));
+            t.line(format!("let terms{i} = products({plane}, {place});"));
             distances.push(format!("((terms{i}.x + terms{i}.y) + terms{i}.z) + terms{i}.w"));
         }
         write(&mut t, &mut outputs, Output::ClipDistance(group), &format!("vec4<f32>({})", distances.join(", ")));
