@@ -62,6 +62,8 @@ pub struct Plane {
     newer: Newer,
     /// Grows with every change.
     version: u64,
+    /// What the stencil of every pixel is, while that is known.
+    uniform_stencil: Option<u8>,
 }
 
 /// A plane and who else holds it. Where two are locked at once, colour comes before depth.
@@ -70,12 +72,36 @@ pub type SharedPlane = Arc<Mutex<Plane>>;
 impl Plane {
     /// Of zeros, as is its storage.
     pub fn new(size: [u32; 2], samples: u32, format: PlaneFormat, storage: Box<dyn Storage>) -> SharedPlane {
-        Arc::new(Mutex::new(Plane { size, samples, format, storage, rows: Vec::new(), newer: Newer::Storage, version: 0 }))
+        Arc::new(Mutex::new(Plane {
+            size,
+            samples,
+            format,
+            storage,
+            rows: Vec::new(),
+            newer: Newer::Storage,
+            version: 0,
+            uniform_stencil: Some(0),
+        }))
     }
 
     /// Grows whenever somebody may have changed the pixels.
     pub fn version(&self) -> u64 {
         self.version
+    }
+
+    fn changed(&mut self) {
+        self.version += 1;
+        self.uniform_stencil = None;
+    }
+
+    /// What the stencil of every pixel is, if that is known.
+    pub fn uniform_stencil(&self) -> Option<u8> {
+        self.uniform_stencil
+    }
+
+    /// Whoever changed the storage tells what is known of the stencil now.
+    pub fn set_uniform_stencil(&mut self, stencil: Option<u8>) {
+        self.uniform_stencil = stencil;
     }
 
     /// Words of all its samples.
@@ -98,7 +124,7 @@ impl Plane {
     pub fn rows_mut(&mut self) -> &mut [u32] {
         self.rows();
         self.newer = Newer::Rows;
-        self.version += 1;
+        self.changed();
         &mut self.rows
     }
 
@@ -115,7 +141,7 @@ impl Plane {
     pub fn storage_mut<T: Any>(&mut self) -> Option<&mut T> {
         self.storage::<T>()?;
         self.newer = Newer::Storage;
-        self.version += 1;
+        self.changed();
         self.storage.as_any().downcast_mut()
     }
 }

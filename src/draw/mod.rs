@@ -10,6 +10,7 @@ use crate::program::Program;
 use crate::raster::layout::{DrawRecord, FragmentState, Primitive, RasterState};
 
 pub mod assembly;
+pub mod clears;
 pub(crate) mod interner;
 pub mod recorder;
 pub mod texture;

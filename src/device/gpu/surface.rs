@@ -13,6 +13,7 @@ use super::profile::StageTime;
 use crate::device::plane::{self, Resolved, Storage};
 use crate::device::{Plane, PlaneFormat, SharedPlane, Surface, Target};
 use crate::draw::Batch;
+use crate::draw::clears::complete_stencil;
 
 /// A plane's pixels on the GPU: rows, sample by sample.
 pub struct GpuPlane {
@@ -128,11 +129,17 @@ impl Surface for GpuSurface {
         self.resolved = Resolved::default();
     }
 
-    fn execute(&mut self, batch: Batch) {
+    fn execute(&mut self, mut batch: Batch) {
         // What is left of the last batch comes before changes from the host.
         self.executor.settle();
+        let depth = self.target.depth.clone().filter(|_| self.target.format.stencil);
+        let stencil = depth.as_ref().and_then(|plane| plane::lock(plane).uniform_stencil());
         if self.bind() {
+            let stencil = complete_stencil(&mut batch, stencil, self.target.size);
             self.executor.execute(batch);
+            if let Some(plane) = &depth {
+                plane::lock(plane).set_uniform_stencil(stencil);
+            }
         }
     }
 
