@@ -21,8 +21,7 @@ var<private> tp_kept: array<u32, 32>;
 var<private> tp_kept_key: u32 = 0xffffffffu;
 //#endif
 
-//#if SAMPLES
-//#else
+//#if SELECTS_ROW
 fn tp_pixel_at(r: i32) -> TpPixel {
     var v = tp_pixels[0];
 //#each $ 8
@@ -209,6 +208,26 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
             }
         }
 //#else
+//#if TALL
+        // Most triangles fill most of their tiles' rows: all eight are drawn, each a text of its own.
+        var e = c + a * local_x + b * local_top;
+//#each $ 8
+        {
+            const r = $;
+            const row = $;
+            let py = i32(origin.y) + row;
+            var inside = (e.x | e.y | e.z) >= 0;
+//#if CUT
+            inside = inside && in_columns && row >= low && row <= high;
+//#endif
+//#if STIPPLE
+            inside = inside && tp_stipple(state, flags, px, u32(py));
+//#endif
+            //#include fragment
+            e += b;
+        }
+//#end
+//#else
         // A column meets a triangle in an interval of rows, and each lane walks its own: the rounds are those of the tallest column.
         var e = c + a * local_x + b * local_top;
         // All ones as long as nothing is covered; rows before the first that is; less 8, rows that are.
@@ -242,6 +261,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
                 break if row >= end;
             }
         }
+//#endif
 //#endif
         continuing {
             break if !more;

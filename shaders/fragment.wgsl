@@ -1,6 +1,6 @@
-// One pixel of one sample, if the triangle covers it (`inside`): the per-fragment operations (src/raster/fine.rs) around the program. A column
-// kernel reads and keeps row `r` through functions of its own, outside of the `if`.
-//#if COLUMN
+// One pixel of one sample, if the triangle covers it (`inside`): the per-fragment operations (src/raster/fine.rs) around the program. Where a row is
+// one of many by a variable (SELECTS_ROW), it is read and kept through functions of the kernel, outside of the `if`.
+//#if SELECTS_ROW
 var covered = false;
 var colored = false;
 var pixel: TpPixel;
@@ -9,7 +9,7 @@ var depth_word = 0u;
 if (inside) {
     let y = f32(py);
 //#if DEPTH_BUFFER
-//#if COLUMN
+//#if SELECTS_ROW
     let old_depth = tp_depth_at(r);
 //#else
     let old_depth = tp_depths[r];
@@ -87,7 +87,7 @@ if (inside) {
         new_depth = (new_depth & ~TP_DEPTH_MASK) | depth;
     }
 //#endif
-//#if COLUMN
+//#if SELECTS_ROW
 //#if DEPTH_BUFFER
     depth_word = new_depth;
 //#endif
@@ -109,6 +109,9 @@ colored_rows |= select(0u, 1u << u32(r), colored);
 //#if COLOR_WRITE
     if (passes) {
         tp_pixels[r] = tp_merge(state, tp_pixels[r], color);
+//#if TALL
+        colored_rows |= 1u << u32(r);
+//#endif
     }
 //#endif
     dirty |= 1u << u32(r);

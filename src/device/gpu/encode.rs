@@ -177,6 +177,20 @@ fn align4(words: &mut Vec<u32>) -> u32 {
     words.len() as u32
 }
 
+/// Rows from which on a triangle is tall: it fills most rows of most of its tiles.
+const TALL_ROWS: u32 = 16;
+
+/// A segment of triangles that the host has set up, while it grows.
+struct OpenSegment {
+    segment: Segment,
+    /// Its first triangle.
+    first: usize,
+    /// Bins that its triangles may touch.
+    touches: u64,
+    /// Tiles that its triangles may touch; those of tall triangles.
+    tiles: [u64; 2],
+}
+
 /// What all plans of a surface share.
 pub struct Planner<'a> {
     /// The batch.
@@ -236,11 +250,13 @@ impl Planner<'_> {
                 plan.actions.extend(clear_params(clear, base, format).map(|p| (place, Action::Clear(p))));
                 continue;
             }
-            // The open segment, its first triangle, and the bins that its triangles may touch.
-            let mut open: Option<(Segment, usize, u64)> = None;
+            let mut open: Option<OpenSegment> = None;
             let mut current = NONE;
-            let close = |plan: &mut Plan, open: &mut Option<(Segment, usize, u64)>, end: usize| {
-                let Some((segment, first, touches)) = open.take() else { return };
+            let close = |plan: &mut Plan, open: &mut Option<OpenSegment>, end: usize| {
+                let Some(OpenSegment { mut segment, first, touches, tiles: [all, tall] }) = open.take() else { return };
+                if segment.key.unrolls(self.shape) && tall * 2 >= all {
+                    segment.key.features |= feature::TALL;
+                }
                 let (count, record) = ((end - first) as u32, plan.segments.len());
                 let place = Place { step: k, primitive: front.triangles[first].primitive };
                 plan.draw(place, segment, base, Some(count), count.div_ceil(32), (touches / 32 + bins) as u32);
@@ -250,19 +266,24 @@ impl Planner<'_> {
                 let t = &front.triangles[index];
                 let span = |v: u32| ((v >> 16) / BIN_SIZE - (v & 0xffff) / BIN_SIZE + 1) as u64;
                 let touched = span(t.columns) * span(t.rows);
-                let full = open.as_ref().is_some_and(|(_, first, touches)| {
+                let full = open.as_ref().is_some_and(|OpenSegment { first, touches, .. }| {
                     index - first >= most_triangles || (touches + touched) / 32 + bins > self.room.most_list_blocks as u64
                 });
                 if t.draw != current || full {
                     current = t.draw;
                     let needs = known.entry(current).or_insert_with(|| needs(batch, current as usize, format));
-                    if full || !open.as_mut().is_some_and(|(segment, ..)| segment.admit(needs, batch, current)) {
+                    if full || !open.as_mut().is_some_and(|open| open.segment.admit(needs, batch, current)) {
                         close(&mut plan, &mut open, index);
-                        open = Some((Segment::new(needs, format, current), index, 0));
+                        open = Some(OpenSegment { segment: Segment::new(needs, format, current), first: index, touches: 0, tiles: [0; 2] });
                     }
                 }
-                if let Some((segment, _, touches)) = &mut open {
+                if let Some(OpenSegment { segment, touches, tiles, .. }) = &mut open {
                     *touches += touched;
+                    let height = (t.rows >> 16) - (t.rows & 0xffff) + 1;
+                    let across = (t.columns >> 16) / 8 - (t.columns & 0xffff) / 8 + 1;
+                    let visits = across as u64 * height.div_ceil(8) as u64;
+                    tiles[0] += visits;
+                    tiles[1] += if height >= TALL_ROWS { visits } else { 0 };
                     if t.flags & triangle_flags::PERSPECTIVE != 0 {
                         segment.key.features |= feature::PERSPECTIVE;
                     }

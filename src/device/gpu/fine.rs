@@ -46,6 +46,8 @@ pub mod feature {
     pub const DEPTH_RANGE: u32 = 1 << 18;
     /// Some draw has a polygon offset.
     pub const OFFSET: u32 = 1 << 19;
+    /// Most triangles fill most rows of their tiles: a column kernel draws all eight.
+    pub const TALL: u32 = 1 << 20;
 }
 
 /// Blending of a segment.
@@ -109,6 +111,11 @@ impl FineKey {
         source
     }
 
+    /// Whether a kernel may have a text for each row of a tile. With textures that would be long.
+    pub fn unrolls(&self, shape: Shape) -> bool {
+        !shape.vectors() && self.samples == 1 && self.textures.is_empty()
+    }
+
     /// The shape that serves the key: on a GPU, a lane that holds many samples has room for one pixel only.
     fn shape(&self, shape: Shape) -> Shape {
         let fine_lanes = if self.samples >= 8 && shape.vectors() { 64 } else { shape.fine_lanes };
@@ -154,6 +161,7 @@ impl FineKey {
             ("ALPHA_TO_ONE", feature::ALPHA_TO_ONE),
             ("DEPTH_RANGE", feature::DEPTH_RANGE),
             ("OFFSET", feature::OFFSET),
+            ("TALL", feature::TALL),
         ] {
             options.flag(name, on(bit));
         }
@@ -180,7 +188,7 @@ impl FineKey {
             let _ = writeln!(extra, "const TP_DEPTH_FUNC = {func}u;");
         }
         options.flag("DEPTH_CHANGES", on(feature::DEPTH_BUFFER) && (on(feature::DEPTH_WRITE) || on(feature::STENCIL_TEST)));
-        options.flag("COLUMN", !shape.vectors());
+        options.flag("SELECTS_ROW", !shape.vectors() && self.samples == 1 && !on(feature::TALL));
         options.flag("PAIRS", shape.subgroup8);
         options.flag("VECTORS", planes == Planes::Loaded && shape.vectors());
         shape_flags(&mut options, shape);

@@ -8,7 +8,7 @@ use super::stage::front;
 use crate::draw::Batch;
 
 /// Names of what a fine kernel may contain.
-const FINE: [(u32, &str); 19] = [
+const FINE: [(u32, &str); 20] = [
     (feature::SHADES, "a fragment program"),
     (feature::COLOR_WRITE, "colour"),
     (feature::DEPTH_TEST, "depth test"),
@@ -28,6 +28,7 @@ const FINE: [(u32, &str); 19] = [
     (feature::DROPS_SAMPLES, "sample masks"),
     (feature::ALPHA_TO_COVERAGE, "alpha to coverage"),
     (feature::ALPHA_TO_ONE, "alpha to one"),
+    (feature::TALL, "unrolled rows"),
 ];
 
 /// Names of what the kernels of set-up may contain.
