@@ -6,7 +6,7 @@
 use std::any::Any;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use rayon::prelude::*;
 
@@ -19,7 +19,7 @@ use crate::raster::plan::Plan;
 use crate::raster::runs;
 use crate::raster::setup::{Chunk, SetupInput};
 use crate::raster::simd::Level;
-use crate::raster::store::{self, Store};
+use crate::raster::store::{self, BinPixels, Store};
 use crate::raster::vertex::{self, ScreenVertex, VertexWorker, place};
 
 /// Most and fewest primitives in a run.
@@ -126,10 +126,23 @@ impl Storage for Store {
     }
 }
 
+/// Where the rows of a row of bins go in memory.
+type Band<'a> = Mutex<&'a mut [&'a mut [u8]]>;
+
 impl CpuSurface {
     /// A surface of a device.
     pub fn new(device: &CpuDevice, target: Target) -> CpuSurface {
         CpuSurface { shared: device.shared.clone(), target, resolved: Resolved::default(), scratch: Scratch::default() }
+    }
+
+    /// Runs a batch, with a copy of the colour to memory where that is given.
+    fn run(&mut self, batch: Batch, out: Option<&[Band]>) {
+        let pixels = self.target.size[0] as u64 * self.target.size[1] as u64;
+        let work = batch.shaded_vec4 as u64 + batch.primitives.len() as u64 + pixels / 64;
+        let pool = if work > WORTH_SHARING { self.shared.pool() } else { None };
+        let screen_base = shade(&batch, &mut self.scratch, self.shared.level, pool);
+        draw(&batch, &self.target, &mut self.scratch, &screen_base, &self.shared, pool, out);
+        recycle(batch);
     }
 
     /// Runs a batch whose vertices are shaded already: the stages after the vertex stage.
@@ -147,7 +160,7 @@ impl CpuSurface {
         }
         self.scratch.shaded = shaded;
         let pool = self.shared.pool();
-        draw(batch, &self.target, &mut self.scratch, &bases, self.shared.level, pool);
+        draw(batch, &self.target, &mut self.scratch, &bases, &self.shared, pool, None);
     }
 }
 
@@ -162,11 +175,17 @@ impl Surface for CpuSurface {
     }
 
     fn execute(&mut self, batch: Batch) {
-        let pixels = self.target.size[0] as u64 * self.target.size[1] as u64;
-        let work = batch.shaded_vec4 as u64 + batch.primitives.len() as u64 + pixels / 64;
-        let pool = if work > WORTH_SHARING { self.shared.pool() } else { None };
-        run(&batch, &self.target, &mut self.scratch, self.shared.level, pool);
-        recycle(batch);
+        self.run(batch, None);
+    }
+
+    fn execute_and_copy(&mut self, batch: Batch, out: &mut [u8], stride: usize, bottom_up: bool) {
+        if self.target.format.samples > 1 {
+            self.execute(batch);
+            return self.copy_color(out, stride, bottom_up);
+        }
+        let mut lines = lines(out, stride, self.target.size[1] as usize, bottom_up);
+        let bands: Vec<_> = lines.chunks_mut(BIN_SIZE as usize).map(Mutex::new).collect();
+        self.run(batch, Some(&bands));
     }
 
     fn resolved(&mut self) -> &SharedPlane {
@@ -223,15 +242,18 @@ fn shade(batch: &Batch, scratch: &mut Scratch, level: Level, pool: Option<&rayon
     bases
 }
 
-/// Runs a batch on a target.
-fn run(batch: &Batch, target: &Target, scratch: &mut Scratch, level: Level, pool: Option<&rayon::ThreadPool>) {
-    let screen_base = shade(batch, scratch, level, pool);
-    draw(batch, target, scratch, &screen_base, level, pool);
-}
-
-/// The stages after the vertex stage.
-fn draw(batch: &Batch, target: &Target, scratch: &mut Scratch, screen_base: &[u32], level: Level, pool: Option<&rayon::ThreadPool>) {
-    let format = target.format;
+/// The stages after the vertex stage. Of a target of one sample a pixel, each bin is copied to `out` when it is drawn: it is in the
+/// cache then.
+fn draw(
+    batch: &Batch,
+    target: &Target,
+    scratch: &mut Scratch,
+    screen_base: &[u32],
+    shared: &Shared,
+    pool: Option<&rayon::ThreadPool>,
+    out: Option<&[Band]>,
+) {
+    let (format, level) = (target.format, shared.level);
     // Enough runs for all threads to have work until the end.
     let threads = pool.map_or(1, |p| p.current_num_threads());
     let chunk = (batch.primitives.len() as u32 / (4 * threads as u32)).clamp(CHUNK[1], CHUNK[0]);
@@ -260,12 +282,18 @@ fn draw(batch: &Batch, target: &Target, scratch: &mut Scratch, screen_base: &[u3
     let mut color = plane::lock(&target.color);
     let mut depth = target.depth.as_ref().map(plane::lock);
     let Some(color) = color.storage_mut::<Store>() else { return };
-    let bins = store::split(color, depth.as_mut().and_then(|plane| plane.storage_mut::<Store>()));
     let tiles = [AtomicU64::new(0), AtomicU64::new(0)];
-    let fine = |(k, mut bin)| {
+    let columns = bins[0] as usize;
+    let bins = store::split(color, depth.as_mut().and_then(|plane| plane.storage_mut::<Store>()));
+    let fine = |(k, mut bin): (usize, BinPixels)| {
         FINE.with_borrow_mut(|worker| {
             worker.tiles = [0; 2];
             run_bin(level, worker, &scene, k, &mut bin);
+            if let Some(bands) = out {
+                let (row, column) = (k / columns, k % columns);
+                let mut band = bands[row].lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+                store::copy_bin(bin.color, PlaneFormat::Color(format.color), target.size[0], column, &mut band);
+            }
             (0..2).for_each(|k| _ = tiles[k].fetch_add(worker.tiles[k], Ordering::Relaxed));
         });
     };

@@ -124,6 +124,11 @@ pub trait Surface: Send {
     fn retarget(&mut self, target: Target);
     /// Runs a batch. May return before it is finished.
     fn execute(&mut self, batch: Batch);
+    /// Runs a batch and then [`Surface::copy_color`].
+    fn execute_and_copy(&mut self, batch: Batch, out: &mut [u8], stride: usize, bottom_up: bool) {
+        self.execute(batch);
+        self.copy_color(out, stride, bottom_up);
+    }
     /// Waits until all batches so far are in the planes.
     fn settle(&mut self) {}
     /// The colour of each pixel as one sample, up to date: the colour plane itself where it has no more.

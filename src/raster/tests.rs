@@ -347,6 +347,13 @@ fn colour_is_copied_to_any_rows() {
                 assert!(out[line * stride..][..600] == *row, "row {y}, stride {stride}");
                 assert!(out[line * stride + 600..].iter().take(stride - 600).all(|&b| b == 7));
             }
+            drop(pixels);
+            // A batch may copy what it has drawn.
+            let clear = Clear { min: [50, 7], max: [140, 69], color: [0.5; 4], color_mask: 15, depth: None, stencil: None };
+            let mut at_once = vec![7u8; out.len()];
+            surface.execute_and_copy(Batch { steps: vec![Step::Clear(clear)], ..Batch::default() }, &mut at_once, stride, bottom_up);
+            surface.copy_color(&mut out, stride, bottom_up);
+            assert!(out == at_once, "stride {stride}");
         }
     }
 }
