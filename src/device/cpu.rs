@@ -90,6 +90,22 @@ impl Device for CpuDevice {
         new_plane(size, samples, format)
     }
 
+    fn resolve(&self, from: &SharedPlane, to: &SharedPlane) -> bool {
+        if Arc::ptr_eq(from, to) {
+            return false;
+        }
+        let [a, b] = [from, to].map(|plane| {
+            let plane = plane::lock(plane);
+            (plane.size, plane.format, plane.samples)
+        });
+        let bytes = matches!(a.1, PlaneFormat::Color(color) if color.is_bytes());
+        if !bytes || (a.0, a.1) != (b.0, b.1) || a.2 == 1 || b.2 != 1 {
+            return false;
+        }
+        resolve(from, to, self.shared.pool());
+        true
+    }
+
     fn surface_on(&self, target: Target) -> Box<dyn Surface> {
         Box::new(CpuSurface::new(self, target))
     }

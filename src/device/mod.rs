@@ -172,6 +172,11 @@ pub trait Device: Send + Sync {
     fn name(&self) -> String;
     /// A plane of zeros.
     fn plane(&self, size: [u32; 2], samples: u32, format: PlaneFormat) -> SharedPlane;
+    /// Makes every pixel of a colour plane the mean of its samples in another one of the same size and format, without a detour
+    /// through rows; false where it does not, and rows have to do.
+    fn resolve(&self, _from: &SharedPlane, _to: &SharedPlane) -> bool {
+        false
+    }
     /// What draws into planes of this device.
     fn surface_on(&self, target: Target) -> Box<dyn Surface>;
     /// Planes of zeros for a surface.
