@@ -10,6 +10,7 @@ use std::sync::{Arc, Mutex, OnceLock};
 
 use rayon::prelude::*;
 
+use super::cpu_textures::Unpacked;
 use super::plane::{self, Resolved, Storage};
 use super::{Device, Plane, PlaneFormat, SharedPlane, Surface, Target, cpu_stats, lines};
 use crate::draw::{Batch, Step, recycle};
@@ -20,6 +21,7 @@ use crate::raster::runs;
 use crate::raster::setup::{Chunk, SetupInput};
 use crate::raster::simd::Level;
 use crate::raster::store::{self, BinPixels, Store};
+use crate::raster::texture::Prepared;
 use crate::raster::vertex::{self, ScreenVertex, VertexWorker, place};
 
 /// Most and fewest primitives in a run.
@@ -46,6 +48,7 @@ struct Shared {
     threads: usize,
     level: Level,
     pool: OnceLock<Option<rayon::ThreadPool>>,
+    unpacked: Unpacked,
 }
 
 impl Shared {
@@ -76,7 +79,7 @@ impl CpuDevice {
 
     /// With so many threads at a SIMD level.
     pub fn with(threads: usize, level: Level) -> CpuDevice {
-        CpuDevice { shared: Arc::new(Shared { threads, level, pool: OnceLock::new() }) }
+        CpuDevice { shared: Arc::new(Shared { threads, level, pool: OnceLock::new(), unpacked: Unpacked::default() }) }
     }
 }
 
@@ -294,7 +297,10 @@ fn draw(
         }
     }
     let plans: Vec<Plan> = (0..batch.draws.len()).map(|k| Plan::new(batch, k, format)).collect();
-    let scene = Scene { batch, plans: &plans, work: &work, format, height: target.size[1] };
+    let cells = if level == Level::Avx2 { shared.unpacked.of(batch) } else { Vec::new() };
+    let cells_of = |k: usize| cells.get(k).and_then(Option::as_deref);
+    let textures: Vec<_> = batch.textures.iter().enumerate().map(|(k, t)| Prepared::new(t, cells_of(k))).collect();
+    let scene = Scene { batch, plans: &plans, work: &work, textures: &textures, format, height: target.size[1] };
     let mut color = plane::lock(&target.color);
     let mut depth = target.depth.as_ref().map(plane::lock);
     let Some(color) = color.storage_mut::<Store>() else { return };

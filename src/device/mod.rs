@@ -2,6 +2,7 @@
 
 pub mod cpu;
 mod cpu_stats;
+mod cpu_textures;
 pub mod gpu;
 pub mod plane;
 pub mod samples;

@@ -73,6 +73,8 @@ pub trait Simd: Copy + 'static {
     fn two(a: &[f32; 4], b: &[f32; 4]) -> Self::F;
     /// a in the first four lanes, b in the others.
     fn halves(a: f32, b: f32) -> Self::F;
+    /// Lane k in the first four lanes, lane k + 4 in the others.
+    fn spread(a: Self::F, k: usize) -> Self::F;
     /// Of integers in the form of `two`, pixels k and k + 4: eight pixels, clamped like [`Simd::bytes`].
     fn bytes_of_twos(c: [Self::I; 4]) -> Self::I;
     /// A mask of the lanes whose bit is set.
@@ -377,6 +379,10 @@ impl Simd for Portable {
     #[inline(always)]
     fn halves(a: f32, b: f32) -> Self::F {
         [a, a, a, a, b, b, b, b]
+    }
+    #[inline(always)]
+    fn spread(a: Self::F, k: usize) -> Self::F {
+        Self::halves(a[k & 3], a[k & 3 | 4])
     }
     #[inline(always)]
     fn bytes_of_twos(c: [Self::I; 4]) -> Self::I {
