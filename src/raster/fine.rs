@@ -279,6 +279,9 @@ fn tiles<S: Simd, const MODE: u32>(
             let allowed = extent.allowed(scene, plan, t, tx, ty);
             let full = edges.full && allowed == FULL;
             let tile = ((ty * 8 + tx) * 64) as usize;
+            if full {
+                bin.prefetch_next(tile);
+            }
             if MODE != fast::NONE {
                 let tile = fast::Tile { at: tile, place: [ox + tx * 8, oy + ty * 8], edges, rows: [first, last], allowed };
                 let touched = if MODE & fast::TEXTURE != 0 {

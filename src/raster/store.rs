@@ -2,6 +2,7 @@
 //! pixels row by row. A row of a tile is one vector, a tile is four cache lines, a bin's pixels belong to one worker.
 
 use super::layout::{BIN_SIZE, TILE_SIZE};
+use super::simd::prefetch_far;
 use crate::device::{PlaneFormat, samples};
 
 /// Pixels in a bin.
@@ -36,6 +37,17 @@ pub struct BinPixels<'a> {
     pub color: &'a mut [u32],
     /// Depth and stencil words.
     pub depth_stencil: &'a mut [u32],
+}
+
+impl BinPixels<'_> {
+    /// Asks for a tile of the bin that follows in memory, which most often is drawn next: words from `tile` on.
+    #[inline(always)]
+    pub fn prefetch_next(&self, tile: usize) {
+        for words in [&*self.color, &*self.depth_stencil] {
+            let next = words.as_ptr().wrapping_add(words.len() + tile);
+            (0..4).for_each(|line| prefetch_far(next.wrapping_add(16 * line)));
+        }
+    }
 }
 
 /// All bins of a colour plane, row by row, each with its part of a depth plane of the same size.
