@@ -6,10 +6,11 @@
 use std::any::Any;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use rayon::prelude::*;
 
+use super::cpu_textures::Unpacked;
 use super::plane::{self, Resolved, Storage};
 use super::{Device, Plane, PlaneFormat, SharedPlane, Surface, Target, cpu_stats, lines};
 use crate::draw::{Batch, Step, recycle};
@@ -19,7 +20,8 @@ use crate::raster::plan::Plan;
 use crate::raster::runs;
 use crate::raster::setup::{Chunk, SetupInput};
 use crate::raster::simd::Level;
-use crate::raster::store::{self, Store};
+use crate::raster::store::{self, BinPixels, Store};
+use crate::raster::texture::Prepared;
 use crate::raster::vertex::{self, ScreenVertex, VertexWorker, place};
 
 /// Most and fewest primitives in a run.
@@ -46,6 +48,7 @@ struct Shared {
     threads: usize,
     level: Level,
     pool: OnceLock<Option<rayon::ThreadPool>>,
+    unpacked: Unpacked,
 }
 
 impl Shared {
@@ -76,7 +79,7 @@ impl CpuDevice {
 
     /// With so many threads at a SIMD level.
     pub fn with(threads: usize, level: Level) -> CpuDevice {
-        CpuDevice { shared: Arc::new(Shared { threads, level, pool: OnceLock::new() }) }
+        CpuDevice { shared: Arc::new(Shared { threads, level, pool: OnceLock::new(), unpacked: Unpacked::default() }) }
     }
 }
 
@@ -88,6 +91,22 @@ impl Device for CpuDevice {
 
     fn plane(&self, size: [u32; 2], samples: u32, format: PlaneFormat) -> SharedPlane {
         new_plane(size, samples, format)
+    }
+
+    fn resolve(&self, from: &SharedPlane, to: &SharedPlane) -> bool {
+        if Arc::ptr_eq(from, to) {
+            return false;
+        }
+        let [a, b] = [from, to].map(|plane| {
+            let plane = plane::lock(plane);
+            (plane.size, plane.format, plane.samples)
+        });
+        let bytes = matches!(a.1, PlaneFormat::Color(color) if color.is_bytes());
+        if !bytes || (a.0, a.1) != (b.0, b.1) || a.2 == 1 || b.2 != 1 {
+            return false;
+        }
+        resolve(from, to, self.shared.pool());
+        true
     }
 
     fn surface_on(&self, target: Target) -> Box<dyn Surface> {
@@ -126,10 +145,23 @@ impl Storage for Store {
     }
 }
 
+/// Where the rows of a row of bins go in memory.
+type Band<'a> = Mutex<&'a mut [&'a mut [u8]]>;
+
 impl CpuSurface {
     /// A surface of a device.
     pub fn new(device: &CpuDevice, target: Target) -> CpuSurface {
         CpuSurface { shared: device.shared.clone(), target, resolved: Resolved::default(), scratch: Scratch::default() }
+    }
+
+    /// Runs a batch, with a copy of the colour to memory where that is given.
+    fn run(&mut self, batch: Batch, out: Option<&[Band]>) {
+        let pixels = self.target.size[0] as u64 * self.target.size[1] as u64;
+        let work = batch.shaded_vec4 as u64 + batch.primitives.len() as u64 + pixels / 64;
+        let pool = if work > WORTH_SHARING { self.shared.pool() } else { None };
+        let screen_base = shade(&batch, &mut self.scratch, self.shared.level, pool);
+        draw(&batch, &self.target, &mut self.scratch, &screen_base, &self.shared, pool, out);
+        recycle(batch);
     }
 
     /// Runs a batch whose vertices are shaded already: the stages after the vertex stage.
@@ -147,7 +179,7 @@ impl CpuSurface {
         }
         self.scratch.shaded = shaded;
         let pool = self.shared.pool();
-        draw(batch, &self.target, &mut self.scratch, &bases, self.shared.level, pool);
+        draw(batch, &self.target, &mut self.scratch, &bases, &self.shared, pool, None);
     }
 }
 
@@ -162,11 +194,17 @@ impl Surface for CpuSurface {
     }
 
     fn execute(&mut self, batch: Batch) {
-        let pixels = self.target.size[0] as u64 * self.target.size[1] as u64;
-        let work = batch.shaded_vec4 as u64 + batch.primitives.len() as u64 + pixels / 64;
-        let pool = if work > WORTH_SHARING { self.shared.pool() } else { None };
-        run(&batch, &self.target, &mut self.scratch, self.shared.level, pool);
-        recycle(batch);
+        self.run(batch, None);
+    }
+
+    fn execute_and_copy(&mut self, batch: Batch, out: &mut [u8], stride: usize, bottom_up: bool) {
+        if self.target.format.samples > 1 {
+            self.execute(batch);
+            return self.copy_color(out, stride, bottom_up);
+        }
+        let mut lines = lines(out, stride, self.target.size[1] as usize, bottom_up);
+        let bands: Vec<_> = lines.chunks_mut(BIN_SIZE as usize).map(Mutex::new).collect();
+        self.run(batch, Some(&bands));
     }
 
     fn resolved(&mut self) -> &SharedPlane {
@@ -223,15 +261,18 @@ fn shade(batch: &Batch, scratch: &mut Scratch, level: Level, pool: Option<&rayon
     bases
 }
 
-/// Runs a batch on a target.
-fn run(batch: &Batch, target: &Target, scratch: &mut Scratch, level: Level, pool: Option<&rayon::ThreadPool>) {
-    let screen_base = shade(batch, scratch, level, pool);
-    draw(batch, target, scratch, &screen_base, level, pool);
-}
-
-/// The stages after the vertex stage.
-fn draw(batch: &Batch, target: &Target, scratch: &mut Scratch, screen_base: &[u32], level: Level, pool: Option<&rayon::ThreadPool>) {
-    let format = target.format;
+/// The stages after the vertex stage. Of a target of one sample a pixel, each bin is copied to `out` when it is drawn: it is in the
+/// cache then.
+fn draw(
+    batch: &Batch,
+    target: &Target,
+    scratch: &mut Scratch,
+    screen_base: &[u32],
+    shared: &Shared,
+    pool: Option<&rayon::ThreadPool>,
+    out: Option<&[Band]>,
+) {
+    let (format, level) = (target.format, shared.level);
     // Enough runs for all threads to have work until the end.
     let threads = pool.map_or(1, |p| p.current_num_threads());
     let chunk = (batch.primitives.len() as u32 / (4 * threads as u32)).clamp(CHUNK[1], CHUNK[0]);
@@ -256,16 +297,25 @@ fn draw(batch: &Batch, target: &Target, scratch: &mut Scratch, screen_base: &[u3
         }
     }
     let plans: Vec<Plan> = (0..batch.draws.len()).map(|k| Plan::new(batch, k, format)).collect();
-    let scene = Scene { batch, plans: &plans, work: &work, format, height: target.size[1] };
+    let cells = if level == Level::Avx2 { shared.unpacked.of(batch) } else { Vec::new() };
+    let cells_of = |k: usize| cells.get(k).and_then(Option::as_deref);
+    let textures: Vec<_> = batch.textures.iter().enumerate().map(|(k, t)| Prepared::new(t, cells_of(k))).collect();
+    let scene = Scene { batch, plans: &plans, work: &work, textures: &textures, format, height: target.size[1] };
     let mut color = plane::lock(&target.color);
     let mut depth = target.depth.as_ref().map(plane::lock);
     let Some(color) = color.storage_mut::<Store>() else { return };
-    let bins = store::split(color, depth.as_mut().and_then(|plane| plane.storage_mut::<Store>()));
     let tiles = [AtomicU64::new(0), AtomicU64::new(0)];
-    let fine = |(k, mut bin)| {
+    let columns = bins[0] as usize;
+    let bins = store::split(color, depth.as_mut().and_then(|plane| plane.storage_mut::<Store>()));
+    let fine = |(k, mut bin): (usize, BinPixels)| {
         FINE.with_borrow_mut(|worker| {
             worker.tiles = [0; 2];
             run_bin(level, worker, &scene, k, &mut bin);
+            if let Some(bands) = out {
+                let (row, column) = (k / columns, k % columns);
+                let mut band = bands[row].lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+                store::copy_bin(bin.color, PlaneFormat::Color(format.color), target.size[0], column, &mut band);
+            }
             (0..2).for_each(|k| _ = tiles[k].fetch_add(worker.tiles[k], Ordering::Relaxed));
         });
     };

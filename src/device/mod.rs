@@ -2,6 +2,7 @@
 
 pub mod cpu;
 mod cpu_stats;
+mod cpu_textures;
 pub mod gpu;
 pub mod plane;
 pub mod samples;
@@ -124,6 +125,11 @@ pub trait Surface: Send {
     fn retarget(&mut self, target: Target);
     /// Runs a batch. May return before it is finished.
     fn execute(&mut self, batch: Batch);
+    /// Runs a batch and then [`Surface::copy_color`].
+    fn execute_and_copy(&mut self, batch: Batch, out: &mut [u8], stride: usize, bottom_up: bool) {
+        self.execute(batch);
+        self.copy_color(out, stride, bottom_up);
+    }
     /// Waits until all batches so far are in the planes.
     fn settle(&mut self) {}
     /// The colour of each pixel as one sample, up to date: the colour plane itself where it has no more.
@@ -167,6 +173,11 @@ pub trait Device: Send + Sync {
     fn name(&self) -> String;
     /// A plane of zeros.
     fn plane(&self, size: [u32; 2], samples: u32, format: PlaneFormat) -> SharedPlane;
+    /// Makes every pixel of a colour plane the mean of its samples in another one of the same size and format, without a detour
+    /// through rows; false where it does not, and rows have to do.
+    fn resolve(&self, _from: &SharedPlane, _to: &SharedPlane) -> bool {
+        false
+    }
     /// What draws into planes of this device.
     fn surface_on(&self, target: Target) -> Box<dyn Surface>;
     /// Planes of zeros for a surface.

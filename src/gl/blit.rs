@@ -106,6 +106,13 @@ impl Context {
     fn blit_buffer(&mut self, aspect: Aspect, source: Corners, target: Corners, linear: bool) {
         let [width, height] = self.draw_size();
         let clip = self.scissored_window().and(Rect::new(0, 0, width as i32, height as i32));
+        let whole = [0, 0, width as i32, height as i32];
+        if aspect == Aspect::Color
+            && [source, target, [clip.min[0], clip.min[1], clip.max[0], clip.max[1]]] == [whole; 3]
+            && self.resolve_on_device()
+        {
+            return;
+        }
         let copy = |pixels: &Pixels| Source {
             format: pixels.format,
             size: [pixels.width, pixels.height],

@@ -81,6 +81,27 @@ impl Context {
         }
     }
 
+    /// glFlush and glFinish are allowed: not between Begin and End, where this records the error.
+    pub fn may_flush(&mut self) -> bool {
+        !self.inside_begin_end()
+    }
+
+    /// Runs what was recorded so far, and makes a copy of the window's colour to memory ([`Surface::copy_color`](crate::device::Surface::copy_color)), if
+    /// something was drawn since the last one.
+    pub fn flush_and_copy(&mut self, out: &mut [u8], stride: usize, bottom_up: bool) {
+        if self.fbo.draw == 0
+            && let Some(window) = &mut self.window
+            && let Some(batch) = self.recorder.take()
+        {
+            self.window_changed = false;
+            return window.execute_and_copy(batch, out, stride, bottom_up);
+        }
+        self.flush_batch();
+        if let (Some(window), true) = (&mut self.window, std::mem::take(&mut self.window_changed)) {
+            window.copy_color(out, stride, bottom_up);
+        }
+    }
+
     /// glFinish.
     pub fn finish(&mut self) {
         if self.inside_begin_end() {

@@ -37,6 +37,8 @@ pub struct Scene<'a> {
     pub plans: &'a [Plan<'a>],
     /// The work, in order.
     pub work: &'a [Work<'a>],
+    /// The batch's textures.
+    pub textures: &'a [Prepared<'a>],
     /// Storage.
     pub format: SurfaceFormat,
     /// Rows of the surface.
@@ -72,7 +74,13 @@ pub struct Row {
     pub several: bool,
 }
 
-impl Scene<'_> {
+impl<'a> Scene<'a> {
+    /// The first texture of a draw.
+    #[inline(always)]
+    pub fn texture(&self, plan: &Plan) -> Option<&'a Prepared<'a>> {
+        self.textures.get(plan.record.first_texture as usize)
+    }
+
     /// The planes of a triangle of a work, by its first.
     #[inline(always)]
     pub fn planes(&self, work: u32, first: u32) -> &[[f32; 4]] {
@@ -271,6 +279,9 @@ fn tiles<S: Simd, const MODE: u32>(
             let allowed = extent.allowed(scene, plan, t, tx, ty);
             let full = edges.full && allowed == FULL;
             let tile = ((ty * 8 + tx) * 64) as usize;
+            if full {
+                bin.prefetch_next(tile);
+            }
             if MODE != fast::NONE {
                 let tile = fast::Tile { at: tile, place: [ox + tx * 8, oy + ty * 8], edges, rows: [first, last], allowed };
                 let touched = if MODE & fast::TEXTURE != 0 {
@@ -450,15 +461,15 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
         Environment { uniforms: &scene.batch.uniforms, base: plan.record.fragment_uniforms, textures: &scene.batch.textures[first..] };
     let rows = &worker.queue[..count];
     let groups = lane_count.div_ceil(LANES);
-    match (plan.modulate, env.textures.first()) {
-        (Some(what), Some(binding)) => {
+    match (plan.modulate, scene.texture(plan)) {
+        (Some(what), Some(texture)) => {
             let fragments = &mut worker.fragments;
             for row in rows {
                 let source = Source { work: row.work, planes: row.planes, perspective: row.perspective };
                 fragments.push::<S>(source, row.at & !8, row.mask << (row.at & 8), what.lod);
             }
             let color = Colors::Columns(&mut worker.results.color);
-            modulate::run::<S>(scene, plan, what, &Prepared::new(binding), fragments, bin.origin, color);
+            modulate::run::<S>(scene, plan, what, texture, fragments, bin.origin, color);
             fragments.clear();
         }
         _ => {

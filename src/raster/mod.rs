@@ -5,6 +5,7 @@
 
 pub mod bin;
 pub mod blend;
+pub mod cells;
 pub mod clear;
 pub mod clip;
 pub mod depth_stencil;
@@ -15,6 +16,7 @@ mod interpolate;
 pub mod layout;
 mod lod;
 mod modulate;
+mod modulate_one;
 pub mod plan;
 mod point_line;
 pub mod runs;

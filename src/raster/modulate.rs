@@ -8,6 +8,7 @@ use std::marker::PhantomData;
 
 use super::fine::Scene;
 use super::layout::*;
+use super::modulate_one;
 use super::plan::Plan;
 use super::simd::{Simd, eight, eight_mut};
 use super::texture::{Prepared, Texels};
@@ -23,10 +24,11 @@ const ROOM: usize = FRAGMENTS + LANES;
 /// vec4 of a triangle with two varyings: depth, coordinates, colour.
 const BLOCK: usize = (DEPTH_PLANE_VEC4 + 2 * VARYING_PLANE_VEC4) as usize;
 /// First plane of the coordinates, and of the colour.
-const COORDINATES: usize = DEPTH_PLANE_VEC4 as usize;
-const COLOR: usize = COORDINATES + VARYING_PLANE_VEC4 as usize;
+pub const COORDINATES: usize = DEPTH_PLANE_VEC4 as usize;
+pub const COLOR: usize = COORDINATES + VARYING_PLANE_VEC4 as usize;
 
-type Block = [[f32; 4]; BLOCK];
+/// A triangle's planes.
+pub type Block = [[f32; 4]; BLOCK];
 
 /// A triangle that fragments are of.
 #[derive(Clone, Copy, Default, PartialEq)]
@@ -47,6 +49,8 @@ pub struct Fragments {
     pub at: [u32; ROOM],
     /// Of each, its colour, when that is known.
     pub bytes: [u32; ROOM],
+    /// Bit by group of lanes: it is a whole row of a tile.
+    rows: u32,
     /// Of each, its triangle's place in `triangles`.
     triangle: [u8; ROOM],
     /// Of each, its quad, where a level of detail is wanted.
@@ -59,16 +63,16 @@ pub struct Fragments {
     /// Triangles that have fragments.
     triangles: [Source; FRAGMENTS],
     /// Planes of 1/w of these: a0, d/dx, d/dy.
-    w: [[f32; 4]; FRAGMENTS],
+    pub w: [[f32; 4]; FRAGMENTS],
     /// Triangles.
     used: usize,
     /// λ of the quads.
     lambdas: [f32; ROOM],
     /// Of the fragments: s, t, λ; x, y and w.
-    coord: [[[f32; LANES]; GROUPS]; 3],
+    pub coord: [[[f32; LANES]; GROUPS]; 3],
     /// See `coord`.
-    place: [[[f32; LANES]; GROUPS]; 3],
-    texels: [Texels; GROUPS],
+    pub place: [[[f32; LANES]; GROUPS]; 3],
+    pub texels: [Texels; GROUPS],
 }
 
 impl Default for Fragments {
@@ -77,6 +81,7 @@ impl Default for Fragments {
             count: 0,
             at: [0; ROOM],
             bytes: [0; ROOM],
+            rows: 0,
             triangle: [0; ROOM],
             quad: [0; ROOM],
             quads: 0,
@@ -99,9 +104,21 @@ impl Fragments {
         self.count > FRAGMENTS - 2 * LANES
     }
 
+    /// Groups of lanes.
+    #[inline(always)]
+    pub fn groups(&self) -> usize {
+        self.count.div_ceil(LANES).min(GROUPS)
+    }
+
+    /// A group is a whole row of a tile.
+    #[inline(always)]
+    pub fn is_row(&self, group: usize) -> bool {
+        self.rows >> group & 1 != 0
+    }
+
     /// Forgets all.
     pub fn clear(&mut self) {
-        (self.count, self.quads, self.used) = (0, 0, 0);
+        (self.count, self.quads, self.used, self.rows) = (0, 0, 0, 0);
     }
 
     /// Lets fragments of two rows wait: `at` is the first pixel of the first row, which is an even one, the bytes of
@@ -129,6 +146,7 @@ impl Fragments {
             if lod {
                 S::store_u(S::pack(quad, mask), eight_mut(&mut self.quad, self.count));
             }
+            self.rows |= u32::from(mask == 0xff && self.count.is_multiple_of(LANES)) << (self.count / LANES);
             self.count += mask.count_ones() as usize;
         }
     }
@@ -199,19 +217,40 @@ impl<S: Simd> Coordinates<S> {
     /// s and t, divided by q.
     #[inline(always)]
     fn project(&self, place: [S::F; 2], w: S::F) -> [S::F; 2] {
-        let q = self.at(3, place, w);
-        [S::div(self.at(0, place, w), q), S::div(self.at(1, place, w), q)]
+        over_q::<S>([self.at(0, place, w), self.at(1, place, w)], self.at(3, place, w))
     }
+}
+
+/// s and t divided by q. Where the program gave no q, it is 1/w times w: 1, or 1 - 2^-24, which is the number below. A quotient by that is
+/// `s * (1 + 2^-24 + 2^-48 + ...)`, more than half and less than one and a half units in the last place from s. A product and a sum that
+/// are rounded once give the same with `2^-24 + 2^-47`, and leave s, infinite or not, with 2^-60: no division.
+#[inline(always)]
+pub fn over_q<S: Simd>([s, t]: [S::F; 2], q: S::F) -> [S::F; 2] {
+    const BELOW: f32 = 1.0 - f32::EPSILON / 2.0;
+    const TINY: f32 = 1.0 / (1u64 << 60) as f32;
+    let others = S::andnot(S::i(1), S::isub(S::bits(q), S::i(BELOW.to_bits() as i32)));
+    if S::signs(S::eq(others, S::i(0))) != 0xff {
+        return [S::div(s, q), S::div(t, q)];
+    }
+    let more = S::fma(S::sub(S::f(1.0), q), S::f(1.0 + f32::EPSILON), S::f(TINY));
+    [S::fma(s, more, s), S::fma(t, more, t)]
 }
 
 /// Where pixels of a bin are on the surface.
 #[inline(always)]
-fn places<S: Simd>(at: S::I, origin: [i32; 2]) -> [S::I; 2] {
+pub fn places<S: Simd>(at: S::I, origin: [i32; 2]) -> [S::I; 2] {
     let (seven, tile) = (S::i(7), S::i(7 << 3));
     // See `store::pixel_index`: three bits each of the tile's row and column, of the pixel's row and column in it.
     let x = S::or(S::and(S::shr::<3>(at), tile), S::and(at, seven));
     let y = S::or(S::and(S::shr::<6>(at), tile), S::and(S::shr::<3>(at), seven));
     [S::iadd(S::i(origin[0]), x), S::iadd(S::i(origin[1]), y)]
+}
+
+/// The same of one pixel.
+#[inline(always)]
+pub fn place(at: u32, origin: [i32; 2]) -> [i32; 2] {
+    let at = at as i32;
+    [origin[0] + (at >> 3 & 7 << 3 | at & 7), origin[1] + (at >> 6 & 7 << 3 | at >> 3 & 7)]
 }
 
 /// Where colours go.
@@ -225,10 +264,16 @@ pub enum Colors<'a> {
 /// Colours of all fragments of a bin whose first pixel is at `origin`.
 #[inline(always)]
 pub fn run<S: Simd>(scene: &Scene, plan: &Plan, what: Modulate, texture: &Prepared, f: &mut Fragments, origin: [i32; 2], mut to: Colors) {
+    if f.used == 1 && !what.lod {
+        let source = f.triangles[0];
+        let block = scene.planes(source.work, source.planes).first_chunk().expect("two varyings");
+        f.w[0] = inverse_w(source, block);
+        return modulate_one::run::<S>(plan, what, texture, f, block, origin, to);
+    }
     let mut blocks: [&Block; FRAGMENTS] = [&[[0.0; 4]; BLOCK]; FRAGMENTS];
     for ((source, block), w) in f.triangles.iter().zip(&mut blocks).zip(&mut f.w).take(f.used) {
         *block = scene.planes(source.work, source.planes).first_chunk().expect("two varyings");
-        *w = if source.perspective { [block[0][3], block[1][0], block[1][1], 0.0] } else { [1.0, 0.0, 0.0, 0.0] };
+        *w = inverse_w(*source, block);
     }
     if what.lod {
         for first in (0..f.quads).step_by(LANES) {
@@ -236,7 +281,7 @@ pub fn run<S: Simd>(scene: &Scene, plan: &Plan, what: Modulate, texture: &Prepar
         }
     }
     // A loop for each part: in one for all, what waits for a division would hold up what waits for nothing.
-    let groups = f.count.div_ceil(LANES);
+    let groups = f.groups();
     for g in 0..groups {
         let group = Group::<S>::new(eight(&f.triangle, g * LANES), &blocks);
         let [x, y] = places::<S>(S::load_u(eight(&f.at, g * LANES)), origin);
@@ -260,29 +305,41 @@ pub fn run<S: Simd>(scene: &Scene, plan: &Plan, what: Modulate, texture: &Prepar
         let first = g * LANES;
         let group = Group::<S>::new(eight(&f.triangle, first), &blocks);
         let colors = product::<S>(plan, what, &group, f.place.each_ref().map(|p| &p[g]), &f.texels[g]);
-        match &mut to {
-            Colors::Bytes => {
-                let most = S::f(255.0);
-                let mut bytes = [S::i(0); 4];
-                for k in 0..4 {
-                    // As in `blend::quantize4`.
-                    bytes[k] = S::round(S::mul(S::at_most(colors[k], S::f(1.0)), most));
-                }
-                S::store_u(S::bytes_of_twos(bytes), eight_mut(&mut f.bytes, first));
+        put::<S>(&mut to, &mut f.bytes, g, colors);
+    }
+}
+
+/// Puts a group's colours, of fragments k and k + 4 side by side, where they go.
+#[inline(always)]
+pub fn put<S: Simd>(to: &mut Colors, bytes: &mut [u32; ROOM], g: usize, colors: [S::F; 4]) {
+    match to {
+        Colors::Bytes => {
+            let most = S::f(255.0);
+            let mut wide = [S::i(0); 4];
+            for k in 0..4 {
+                // As in `blend::quantize4`.
+                wide[k] = S::round(S::mul(S::at_most(colors[k], S::f(1.0)), most));
             }
-            Colors::Columns(columns) => {
-                let mut pixels = [[0.0; LANES]; 4];
-                for k in 0..4 {
-                    S::store(colors[k], &mut pixels[k]);
-                }
-                for lane in 0..LANES {
-                    for c in 0..4 {
-                        columns[c][g][lane] = pixels[lane % 4][lane / 4 * 4 + c];
-                    }
+            S::store_u(S::bytes_of_twos(wide), eight_mut(bytes, g * LANES));
+        }
+        Colors::Columns(columns) => {
+            let mut pixels = [[0.0; LANES]; 4];
+            for k in 0..4 {
+                S::store(colors[k], &mut pixels[k]);
+            }
+            for lane in 0..LANES {
+                for c in 0..4 {
+                    columns[c][g][lane] = pixels[lane % 4][lane / 4 * 4 + c];
                 }
             }
         }
     }
+}
+
+/// The plane of a triangle's 1/w.
+#[inline(always)]
+fn inverse_w(source: Source, block: &Block) -> [f32; 4] {
+    if source.perspective { [block[0][3], block[1][0], block[1][1], 0.0] } else { [1.0, 0.0, 0.0, 0.0] }
 }
 
 /// λ of eight quads.
@@ -308,13 +365,18 @@ fn quad_lambdas<S: Simd>(
     texture.flat_lambda::<S>([across, along])
 }
 
+/// The components that a texel is a factor of: rgb and alpha, of two fragments side by side.
+#[inline(always)]
+pub fn parts_mask<S: Simd>([rgb, alpha]: [bool; 2]) -> S::I {
+    let (rgb, alpha) = (if rgb { !0 } else { 0 }, if alpha { !0 } else { 0 });
+    S::load_u(&[rgb, rgb, rgb, alpha, rgb, rgb, rgb, alpha])
+}
+
 /// Colour times texel: of fragments k and k + 4, four components side by side.
 #[inline(always)]
 fn product<S: Simd>(plan: &Plan, what: Modulate, group: &Group<S>, [x, y, w]: [&[f32; LANES]; 3], texels: &Texels) -> [S::F; 4] {
     let mode = plan.modes[1];
-    let part = |on: bool| if on { !0 } else { 0 };
-    let [rgb, alpha] = what.parts.map(part);
-    let parts = S::load_u(&[rgb, rgb, rgb, alpha, rgb, rgb, rgb, alpha]);
+    let parts = parts_mask::<S>(what.parts);
     let (mut colors, mut planes) = ([S::f(0.0); 4], [S::f(0.0); 3]);
     for (k, color) in colors.iter_mut().enumerate() {
         if k == 0 || !group.same {
@@ -333,4 +395,35 @@ fn product<S: Simd>(plan: &Plan, what: Modulate, group: &Group<S>, [x, y, w]: [&
         *color = S::mul(value, S::from_bits(S::select(parts, texel, S::bits(S::f(1.0)))));
     }
     colors
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::simd::Portable;
+
+    #[test]
+    fn a_quotient_by_1_or_the_number_below_needs_no_division() {
+        let below = 1.0 - f32::EPSILON / 2.0;
+        // Every mantissa's ends, exponents from the denormal numbers to infinity, and what is none.
+        for high in 0..1u32 << 13 {
+            for low in [0, 1, 2, 3, 0x3ffff, 0x40000, 0x7fffe, 0x7ffff] {
+                let s = f32::from_bits(high << 19 | low);
+                for q in [1.0, below] {
+                    let [got, _] = over_q::<Portable>([[s; 8], [0.0; 8]], [q; 8]);
+                    let want = s / q;
+                    assert!(got[0].to_bits() == want.to_bits() || got[0].is_nan() && want.is_nan(), "{s:e} / {q}: {} {want}", got[0]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn w_times_its_inverse_is_1_or_the_number_below() {
+        for k in 0..1u32 << 23 {
+            let v = f32::from_bits(0x3f80_0000 | k);
+            let q = v * (1.0 / v);
+            assert!(q == 1.0 || q == 1.0 - f32::EPSILON / 2.0);
+        }
+    }
 }

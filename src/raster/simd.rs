@@ -73,6 +73,8 @@ pub trait Simd: Copy + 'static {
     fn two(a: &[f32; 4], b: &[f32; 4]) -> Self::F;
     /// a in the first four lanes, b in the others.
     fn halves(a: f32, b: f32) -> Self::F;
+    /// Lane k in the first four lanes, lane k + 4 in the others.
+    fn spread(a: Self::F, k: usize) -> Self::F;
     /// Of integers in the form of `two`, pixels k and k + 4: eight pixels, clamped like [`Simd::bytes`].
     fn bytes_of_twos(c: [Self::I; 4]) -> Self::I;
     /// A mask of the lanes whose bit is set.
@@ -379,6 +381,10 @@ impl Simd for Portable {
         [a, a, a, a, b, b, b, b]
     }
     #[inline(always)]
+    fn spread(a: Self::F, k: usize) -> Self::F {
+        Self::halves(a[k & 3], a[k & 3 | 4])
+    }
+    #[inline(always)]
     fn bytes_of_twos(c: [Self::I; 4]) -> Self::I {
         let mut r = [0; 8];
         for k in 0..8 {
@@ -472,6 +478,18 @@ pub fn prefetch<T>(record: &T) {
     }
     #[cfg(not(target_arch = "x86_64"))]
     let _ = record;
+}
+
+/// Asks for memory that will be written after much else, in the second cache. The address may be any.
+#[inline(always)]
+pub fn prefetch_far<T>(address: *const T) {
+    #[cfg(target_arch = "x86_64")]
+    // SAFETY: SSE is part of x86-64, and a prefetch reads nothing and fails nowhere.
+    unsafe {
+        std::arch::x86_64::_mm_prefetch::<{ std::arch::x86_64::_MM_HINT_T1 }>(address.cast());
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = address;
 }
 
 /// Makes `fn name(level, args...)` of a generic `fn kernel<S: Simd>(args...)`, instantiated once a level.

@@ -136,6 +136,15 @@ impl Simd for Avx2 {
         use std::arch::x86_64::*;
         _mm256_set_m128(_mm_set1_ps(b), _mm_set1_ps(a))
     });
+    op!(spread(a: Self::F, k: usize) -> Self::F, {
+        use std::arch::x86_64::*;
+        match k & 3 {
+            0 => _mm256_permute_ps::<0x00>(a),
+            1 => _mm256_permute_ps::<0x55>(a),
+            2 => _mm256_permute_ps::<0xaa>(a),
+            _ => _mm256_permute_ps::<0xff>(a),
+        }
+    });
     op!(bytes_of_twos(c: [Self::I; 4]) -> Self::I, {
         use std::arch::x86_64::*;
         _mm256_packus_epi16(_mm256_packs_epi32(c[0], c[1]), _mm256_packs_epi32(c[2], c[3]))

@@ -2,6 +2,7 @@
 //! pixels row by row. A row of a tile is one vector, a tile is four cache lines, a bin's pixels belong to one worker.
 
 use super::layout::{BIN_SIZE, TILE_SIZE};
+use super::simd::prefetch_far;
 use crate::device::{PlaneFormat, samples};
 
 /// Pixels in a bin.
@@ -36,6 +37,17 @@ pub struct BinPixels<'a> {
     pub color: &'a mut [u32],
     /// Depth and stencil words.
     pub depth_stencil: &'a mut [u32],
+}
+
+impl BinPixels<'_> {
+    /// Asks for a tile of the bin that follows in memory, which most often is drawn next: words from `tile` on.
+    #[inline(always)]
+    pub fn prefetch_next(&self, tile: usize) {
+        for words in [&*self.color, &*self.depth_stencil] {
+            let next = words.as_ptr().wrapping_add(words.len() + tile);
+            (0..4).for_each(|line| prefetch_far(next.wrapping_add(16 * line)));
+        }
+    }
 }
 
 /// All bins of a colour plane, row by row, each with its part of a depth plane of the same size.
@@ -99,19 +111,9 @@ impl Store {
 
     /// Copies row `k` of bins to its pixels' rows of bytes; of a plane of one sample.
     pub fn copy_band(&self, k: u32, lines: &mut [&mut [u8]]) {
-        let words = self.format.words();
-        let tile = TILE_SIZE as usize * words;
-        for (y, line) in lines.iter_mut().enumerate() {
-            let first = (k * self.bins[0]) as usize * BIN_PIXELS + pixel_index(0, y as u32);
-            let row = &mut line[..self.size[0] as usize * words * 4];
-            for (t, out) in row.chunks_mut(tile * 4).enumerate() {
-                let at = (first + t / 8 * BIN_PIXELS + t % 8 * 64) * words;
-                match <&mut [u8; 32]>::try_from(&mut *out) {
-                    // A copy of known size is one load and one store, not a call.
-                    Ok(out) if words == 1 => *out = bytemuck::cast(*self.words[at..].first_chunk::<8>().expect("a row of a tile")),
-                    _ => out.copy_from_slice(&bytemuck::cast_slice(&self.words[at..])[..out.len()]),
-                }
-            }
+        let first = (k * self.bins[0]) as usize;
+        for (column, bin) in self.words.chunks(self.bin_words()).skip(first).take(self.bins[0] as usize).enumerate() {
+            copy_bin(bin, self.format, self.size[0], column, lines);
         }
     }
 
@@ -119,6 +121,27 @@ impl Store {
     pub fn resolve_bins<'a>(&'a mut self, from: &'a Store) -> impl Iterator<Item = (&'a mut [u32], &'a [u32])> {
         let (words, samples) = (self.bin_words(), from.bin_words());
         self.words.chunks_mut(words).zip(from.words.chunks(samples))
+    }
+}
+
+/// Copies a bin of one sample to its part of rows of bytes: those of `width` pixels in a row of bins, of which it is the bin at `column`.
+pub fn copy_bin(bin: &[u32], format: PlaneFormat, width: u32, column: usize, lines: &mut [&mut [u8]]) {
+    let bytes = format.words() * 4;
+    let (first, row) = (column * BIN_SIZE as usize * bytes, TILE_SIZE as usize * bytes);
+    let end = (first + BIN_SIZE as usize * bytes).min(width as usize * bytes);
+    for (y, line) in lines.iter_mut().enumerate() {
+        let at = pixel_index(0, y as u32);
+        let rows = bytemuck::cast_slice::<u32, u8>(bin)[at * bytes..].chunks(BIN_PIXELS / BIN_TILES * bytes);
+        let line = &mut line[first..end];
+        match <&mut [u8; 256]>::try_from(&mut *line) {
+            // Copies of known size are loads and stores, not calls.
+            Ok(line) if row == 32 => {
+                for (out, from) in line.as_chunks_mut::<32>().0.iter_mut().zip(rows) {
+                    *out = *from.first_chunk().expect("a row of a tile");
+                }
+            }
+            _ => line.chunks_mut(row).zip(rows).for_each(|(out, from)| out.copy_from_slice(&from[..out.len()])),
+        }
     }
 }
 

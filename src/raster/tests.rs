@@ -278,12 +278,13 @@ fn noise_texture(size: [u32; 2], filters: (bool, bool, Option<bool>), wrap: Wrap
 #[test]
 fn a_modulated_texture_has_the_bits_of_its_program() {
     let mut random = Random(7);
-    let with_coordinates = |[position, color]: [[f32; 4]; 2]| {
-        let coordinate = [random.signed() * 3.0, random.signed() * 9.0, 0.0, 0.5 + random.unit()];
-        [position, coordinate, color]
+    // Every other triangle with a q of its own.
+    let with_coordinates = |(k, [position, color]): (usize, [[f32; 4]; 2])| {
+        let q = if k / 3 % 2 == 0 { 0.5 + random.unit() } else { 1.0 };
+        [position, [random.signed() * 3.0, random.signed() * 9.0, 0.0, q], color]
     };
     // Large triangles, and small ones, of which many wait together.
-    let mut soup: Vec<_> = soup(8, 300, 1.3).into_iter().chain(soup(9, 6000, 0.1)).map(with_coordinates).collect();
+    let mut soup: Vec<_> = soup(8, 300, 1.3).into_iter().chain(soup(9, 6000, 0.1)).enumerate().map(with_coordinates).collect();
     for vertex in soup.iter_mut().skip(300).step_by(3) {
         vertex[0][0] += vertex[0][3] * 0.5;
     }
@@ -295,6 +296,8 @@ fn a_modulated_texture_has_the_bits_of_its_program() {
         (TESTED, true, Base::Alpha, (true, false, Some(false)), Wrap::MirroredRepeat),
         (blended, true, Base::Rgba, (false, false, Some(true)), Wrap::ClampToEdge),
         (TESTED, false, Base::Rgba, (true, true, None), Wrap::Repeat),
+        (0, false, Base::Alpha, (true, true, None), Wrap::ClampToEdge),
+        (TESTED, false, Base::Rgba, (true, true, None), Wrap::MirroredRepeat),
         (0, false, Base::Luminance, (false, false, None), Wrap::ClampToBorder),
         (blended, true, Base::Rgba, (true, true, Some(true)), Wrap::Repeat),
     ] {
@@ -310,14 +313,17 @@ fn a_modulated_texture_has_the_bits_of_its_program() {
         };
         let full = Arc::new(Program::new(Stage::Fragment, short.wgsl.clone(), interface).expect("a program"));
         let texture = noise_texture([32, 8], filters, wrap);
-        let run = |program: &Arc<Program>, level| {
-            draw_program(&soup, topology::TRIANGLES, flags, 2, level, program.clone(), vec![texture.clone()])
+        let run = |program: &Arc<Program>, device: &CpuDevice| {
+            let canvas = Canvas { scale: 1, samples: 1 };
+            draw_on(canvas, device, &soup, topology::TRIANGLES, flags, program.clone(), vec![texture.clone()])
         };
-        let one = run(&full, Level::Scalar);
+        let one = run(&full, &CpuDevice::with(2, Level::Scalar));
         assert!(one.0.iter().any(|&c| c != 0));
         for level in [Level::Scalar, Level::best()] {
-            for program in [&full, &short] {
-                assert!(one == run(program, level), "flags {flags}, {base:?}, filters {filters:?}, {wrap:?}, {level:?}");
+            let device = CpuDevice::with(2, level);
+            // The second time its texture may be unpacked.
+            for program in [&full, &short, &short] {
+                assert!(one == run(program, &device), "flags {flags}, {base:?}, filters {filters:?}, {wrap:?}, {level:?}");
             }
         }
     }
@@ -347,6 +353,13 @@ fn colour_is_copied_to_any_rows() {
                 assert!(out[line * stride..][..600] == *row, "row {y}, stride {stride}");
                 assert!(out[line * stride + 600..].iter().take(stride - 600).all(|&b| b == 7));
             }
+            drop(pixels);
+            // A batch may copy what it has drawn.
+            let clear = Clear { min: [50, 7], max: [140, 69], color: [0.5; 4], color_mask: 15, depth: None, stencil: None };
+            let mut at_once = vec![7u8; out.len()];
+            surface.execute_and_copy(Batch { steps: vec![Step::Clear(clear)], ..Batch::default() }, &mut at_once, stride, bottom_up);
+            surface.copy_color(&mut out, stride, bottom_up);
+            assert!(out == at_once, "stride {stride}");
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Texture sampling (3.8.7, 3.8.8), the intrinsic `texture_sample` of programs: eight lanes at a time, exact f32 filtering.
 
+use super::cells::{self, Cells};
 use super::lod::{self, runs_on};
 use super::simd::{self, Level};
 use super::texture_fetch::{Fetch, linear_axis, nearest};
@@ -25,11 +26,13 @@ pub struct Prepared<'a> {
     /// For the commonest filter between levels.
     #[cfg(target_arch = "x86_64")]
     pyramid: Option<Pyramid<'a>>,
+    /// The first level, unpacked.
+    cells: Option<&'a Cells>,
 }
 
 impl<'a> Prepared<'a> {
-    /// Looks at what does not change from sample to sample.
-    pub fn new(binding: &'a TextureBinding) -> Prepared<'a> {
+    /// Looks at what does not change from sample to sample. `cells` are those of the first level, where it is unpacked.
+    pub fn new(binding: &'a TextureBinding, cells: Option<&'a Cells>) -> Prepared<'a> {
         let (image, sampler) = (&*binding.image, &binding.sampler);
         Prepared {
             image,
@@ -38,6 +41,7 @@ impl<'a> Prepared<'a> {
             pyramid: (image.format == TexelFormat::Rgba8 && image.kind == TextureKind::D2 && sampler.mag_linear && runs_on(sampler))
                 .then(|| Pyramid::new(&image.levels, [sampler.wrap[0], sampler.wrap[1]]))
                 .flatten(),
+            cells: cells.filter(|_| cells::serves(image, sampler)),
         }
     }
 
@@ -80,6 +84,14 @@ impl<'a> Prepared<'a> {
         to: &mut [Texels],
     ) -> bool {
         let Some(lambda) = lambda else {
+            #[cfg(target_arch = "x86_64")]
+            if S::LEVEL == Level::Avx2
+                && let Some(cells) = self.cells
+            {
+                // SAFETY: the level is AVX2, and the wrap modes were looked at.
+                unsafe { cells.filter(wrap_modes(self.image, self.sampler), coord, to) };
+                return true;
+            }
             return wide_level::<S>(self.image, self.sampler, base, self.sampler.mag_linear, coord, faces, to);
         };
         #[cfg(target_arch = "x86_64")]
@@ -145,6 +157,11 @@ fn columns<S: simd::Simd>(rows: &Texels) -> [Lanes; 4] {
     columns
 }
 
+/// Wrap modes of s and t. A 1D image is a row: whatever t is, clamping it finds that row.
+pub fn wrap_modes(image: &TextureImage, sampler: &Sampler) -> [Wrap; 2] {
+    [sampler.wrap[0], if image.kind == TextureKind::D1 { Wrap::ClampToEdge } else { sampler.wrap[1] }]
+}
+
 /// One level, where the processor has AVX2; false for what is not common.
 #[inline(always)]
 fn wide_level<S: simd::Simd>(
@@ -159,8 +176,7 @@ fn wide_level<S: simd::Simd>(
     if S::LEVEL != Level::Avx2 || image.format != TexelFormat::Rgba8 || image.kind == TextureKind::D3 {
         return false;
     }
-    // A 1D image is a row: whatever t is, clamping it finds that row.
-    let wrap = [sampler.wrap[0], if image.kind == TextureKind::D1 { Wrap::ClampToEdge } else { sampler.wrap[1] }];
+    let wrap = wrap_modes(image, sampler);
     let layers = image.kind != TextureKind::Cube || level.depth >= 6;
     #[cfg(target_arch = "x86_64")]
     if layers && texture_wide::serves(level, wrap, linear) {
@@ -385,7 +401,7 @@ mod tests {
     }
 
     fn at(binding: &TextureBinding, s: f32, t: f32) -> [f32; 4] {
-        let texel = Prepared::new(binding).group(&[[s; LANES], [t; LANES], [0.0; LANES], [0.0; LANES]], None, Simd::Scalar);
+        let texel = Prepared::new(binding, None).group(&[[s; LANES], [t; LANES], [0.0; LANES], [0.0; LANES]], None, Simd::Scalar);
         [0, 1, 2, 3].map(|c| texel[c][3])
     }
 
@@ -439,7 +455,7 @@ mod tests {
         let coord = [[0.1; LANES], [0.1; LANES], [0.0; LANES], [0.0; LANES]];
         let slope = 2.0f32.powf(0.5) / 4.0;
         let (dx, dy) = ([[slope; LANES], [0.0; LANES], [0.0; LANES]], [[0.0; LANES]; 3]);
-        let got = Prepared::new(&b).group(&coord, Some([&dx, &dy]), Simd::Scalar)[0][0];
+        let got = Prepared::new(&b, None).group(&coord, Some([&dx, &dy]), Simd::Scalar)[0][0];
         let level = |l: usize| (b.image.levels[l].texels[0] & 255) as f32 / 255.0;
         assert!((got - 0.5 * (level(0) + level(1))).abs() < 1e-4, "{got}");
     }
@@ -451,7 +467,7 @@ mod tests {
         let coord = [[0.1; LANES], [0.1; LANES], [0.0; LANES], [0.0; LANES]];
         let slopes: Lanes = std::array::from_fn(|i| [0.1, 0.5, 1.0, 9.0][i % 4]);
         let (dx, dy) = ([slopes, [0.0; LANES], [0.0; LANES]], [[0.0; LANES]; 3]);
-        let got = Prepared::new(&b).group(&coord, Some([&dx, &dy]), Simd::Scalar)[0];
+        let got = Prepared::new(&b, None).group(&coord, Some([&dx, &dy]), Simd::Scalar)[0];
         for (lane, want) in [0usize, 1, 2, 2].into_iter().cycle().take(LANES).enumerate() {
             assert_eq!(got[lane], (b.image.levels[want].texels[0] & 255) as f32 * (1.0 / 255.0), "lane {lane}");
         }
@@ -480,7 +496,7 @@ mod tests {
                     let rotate = |by: usize| std::array::from_fn(|i| wild[(i * by + shift) % 8]);
                     let coord = [rotate(1), rotate(3), rotate(5), rotate(7)];
                     let (dx, dy) = ([rotate(3), rotate(1), rotate(1)], [rotate(5), rotate(2), rotate(2)]);
-                    let bits = |simd| Prepared::new(&b).group(&coord, Some([&dx, &dy]), simd).map(|c| c.map(f32::to_bits));
+                    let bits = |simd| Prepared::new(&b, None).group(&coord, Some([&dx, &dy]), simd).map(|c| c.map(f32::to_bits));
                     assert_eq!(bits(Simd::Scalar), bits(Simd::Avx2));
                 }
             }

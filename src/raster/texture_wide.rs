@@ -2,7 +2,6 @@
 //! trilinear filtering with levels lane by lane. The same operations in the same order, so the same bits.
 
 use std::arch::x86_64::*;
-use std::marker::PhantomData;
 
 use super::texture::Texels;
 use crate::draw::texture::{TextureLevel, Wrap};
@@ -34,13 +33,12 @@ fn is_whole(level: &TextureLevel) -> bool {
 /// An image's levels, each half as large as the one before, all texels there.
 pub struct Pyramid<'a> {
     /// Of each level. An image has 32 levels at most: no width has more bits.
-    texels: [*const u32; 32],
+    texels: [&'a [u32]; 32],
     /// Columns and rows of the first.
     size: [u32; 2],
     /// The last one.
     last: usize,
     wrap: [Wrap; 2],
-    levels: PhantomData<&'a [TextureLevel]>,
 }
 
 impl<'a> Pyramid<'a> {
@@ -50,15 +48,15 @@ impl<'a> Pyramid<'a> {
         if levels.len() > 32 || !wrap.into_iter().all(|w| stays_inside(w, true)) {
             return None;
         }
-        let mut texels = [std::ptr::null(); 32];
+        let mut texels: [&[u32]; 32] = [&[]; 32];
         for (k, level) in levels.iter().enumerate() {
             let (width, height) = ((base.width >> k).max(1), (base.height >> k).max(1));
             if level.width != width || level.height != height || !is_whole(level) {
                 return None;
             }
-            texels[k] = level.texels.as_ptr();
+            texels[k] = &level.texels;
         }
-        Some(Pyramid { texels, size: [base.width, base.height], last: levels.len() - 1, wrap, levels: PhantomData })
+        Some(Pyramid { texels, size: [base.width, base.height], last: levels.len() - 1, wrap })
     }
 
     /// Bilinear filtering on the two levels around each lane's λ, blended, of groups of lanes.
@@ -82,7 +80,7 @@ impl<'a> Pyramid<'a> {
             if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_NEQ_UQ>(blend, _mm256_setzero_ps())) == 0 {
                 for (lane, row) in rows.iter_mut().enumerate() {
                     // SAFETY: the lanes' levels are at most the last, and all were checked.
-                    unsafe { _mm_storeu_ps(row.as_mut_ptr(), near.filtered(lane, self.texels[near_of[lane] as usize & 31])) };
+                    unsafe { _mm_storeu_ps(row.as_mut_ptr(), near.filtered(lane, self.texels[near_of[lane] as usize & 31].as_ptr())) };
                 }
                 continue;
             }
@@ -92,8 +90,8 @@ impl<'a> Pyramid<'a> {
             for (lane, row) in rows.iter_mut().enumerate() {
                 // SAFETY: as above.
                 unsafe {
-                    let low = near.filtered(lane, self.texels[near_of[lane] as usize & 31]);
-                    let high = far.filtered(lane, self.texels[far_of[lane] as usize & 31]);
+                    let low = near.filtered(lane, self.texels[near_of[lane] as usize & 31].as_ptr());
+                    let high = far.filtered(lane, self.texels[far_of[lane] as usize & 31].as_ptr());
                     _mm_storeu_ps(row.as_mut_ptr(), lerp(low, high, _mm_set1_ps(blends[lane])));
                 }
             }
@@ -193,7 +191,7 @@ pub unsafe fn sample(
 
 #[target_feature(enable = "avx2")]
 #[inline]
-fn load(lanes: &Lanes) -> __m256 {
+pub fn load(lanes: &Lanes) -> __m256 {
     // SAFETY: eight lanes are 32 bytes.
     unsafe { _mm256_loadu_ps(lanes.as_ptr()) }
 }
@@ -262,13 +260,11 @@ fn nearest(c: __m256, size: i32, wrap: Wrap) -> __m256i {
     index(_mm256_floor_ps(_mm256_mul_ps(c, n)), _mm256_set1_ps((size - 1) as f32))
 }
 
-/// Indices of the two texels around a coordinate, and the weight of the second.
+/// The texel below a coordinate, as a number, and the weight of the next one. With [`Wrap::Repeat`] it may be -1.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn linear_axis(c: __m256, size: __m256i, wrap: Wrap) -> (__m256i, __m256i, __m256) {
-    let (n, half) = (_mm256_cvtepi32_ps(size), _mm256_set1_ps(0.5));
-    let last = _mm256_sub_epi32(size, _mm256_set1_epi32(1));
-    let most = _mm256_cvtepi32_ps(last);
+pub fn point(c: __m256, n: __m256, wrap: Wrap) -> (__m256, __m256) {
+    let half = _mm256_set1_ps(0.5);
     let edge = |x: __m256| {
         let inner = _mm256_min_ps(_mm256_max_ps(x, half), _mm256_sub_ps(n, half));
         _mm256_sub_ps(inner, half)
@@ -279,9 +275,18 @@ fn linear_axis(c: __m256, size: __m256i, wrap: Wrap) -> (__m256i, __m256i, __m25
         _ => edge(_mm256_mul_ps(c, n)),
     };
     let floor = _mm256_floor_ps(u);
-    let weight = _mm256_sub_ps(u, floor);
-    let one = _mm256_set1_ps(1.0);
-    let (first, second) = (floor, _mm256_add_ps(floor, one));
+    (floor, _mm256_sub_ps(u, floor))
+}
+
+/// Indices of the two texels around a coordinate, and the weight of the second.
+#[target_feature(enable = "avx2")]
+#[inline]
+fn linear_axis(c: __m256, size: __m256i, wrap: Wrap) -> (__m256i, __m256i, __m256) {
+    let n = _mm256_cvtepi32_ps(size);
+    let last = _mm256_sub_epi32(size, _mm256_set1_epi32(1));
+    let most = _mm256_cvtepi32_ps(last);
+    let (first, weight) = point(c, n, wrap);
+    let second = _mm256_add_ps(first, _mm256_set1_ps(1.0));
     if wrap == Wrap::Repeat {
         // -1 wraps to the last texel, `size` to the first.
         let negative = _mm256_castps_si256(_mm256_cmp_ps::<_CMP_LT_OQ>(first, _mm256_setzero_ps()));

@@ -8,7 +8,6 @@ use super::modulate::{self, Colors, Fragments, Source};
 use super::plan::Plan;
 use super::simd::{Simd, eight, eight_mut};
 use super::store::{BIN_PIXELS, BinPixels};
-use super::texture::Prepared;
 use super::tile::FULL;
 use crate::program::lanes::LANES;
 
@@ -78,15 +77,15 @@ crate::dispatch! {
 #[inline(always)]
 fn flush_kernel<S: Simd>(fragments: &mut Fragments, scene: &Scene, draw: u32, bin: &mut BinPixels) {
     let plan = &scene.plans[draw as usize];
-    if let (Some(what), Some(binding)) = (plan.modulate, scene.batch.textures.get(plan.record.first_texture as usize)) {
-        modulate::run::<S>(scene, plan, what, &Prepared::new(binding), fragments, bin.origin, Colors::Bytes);
+    if let (Some(what), Some(texture)) = (plan.modulate, scene.texture(plan)) {
+        modulate::run::<S>(scene, plan, what, texture, fragments, bin.origin, Colors::Bytes);
         let pixels: &mut [u32; BIN_PIXELS] = bin.color.first_chunk_mut().expect("a bin");
         for first in (0..fragments.count).step_by(LANES) {
             let (at, colors) = (eight(&fragments.at, first), eight(&fragments.bytes, first));
             let count = (fragments.count - first).min(LANES);
-            // Neighbours in a row, as most are in large triangles, go together.
-            let row = S::iadd(S::i(at[0] as i32), S::load_u(&[0, 1, 2, 3, 4, 5, 6, 7]));
-            if count == LANES && S::signs(S::eq(S::load_u(at), row)) == 0xff {
+            // Neighbours, as most are in large triangles, go together.
+            let neighbours = S::iadd(S::i(at[0] as i32), S::load_u(&[0, 1, 2, 3, 4, 5, 6, 7]));
+            if fragments.is_row(first / LANES) || count == LANES && S::signs(S::eq(S::load_u(at), neighbours)) == 0xff {
                 *eight_mut(pixels, at[0] as usize % BIN_PIXELS) = *colors;
                 continue;
             }

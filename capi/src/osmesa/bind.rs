@@ -17,21 +17,23 @@ use crate::current::{self, Content};
 /// Largest width and height, as OSMESA_MAX_WIDTH and OSMESA_MAX_HEIGHT return them.
 pub const MAX_SIZE: c_int = 16384;
 
-/// Copies the window's pixels into the program's buffer, if something was drawn since the last time.
+/// Runs what was recorded and copies the window's pixels into the program's buffer, if something was drawn since the last time.
 pub fn present(content: &mut Content) {
     let Content { context, target } = content;
+    let width = target.width as usize;
+    let row_length = if target.row_length > 0 { target.row_length as usize } else { width };
+    let plain = target.depth.is_empty() && target.format == Format::Rgba && target.kind == GL_UNSIGNED_BYTE;
+    if target.address != 0 && plain && row_length >= width {
+        let length = (target.height as usize - 1) * row_length + width;
+        // SAFETY: the program promised a buffer of `height` rows of `row_length` pixels (the last one of `width`).
+        let out = unsafe { std::slice::from_raw_parts_mut(target.address as *mut u8, length * 4) };
+        return context.flush_and_copy(out, row_length * 4, target.y_up);
+    }
+    context.flush_batch();
     if target.address == 0 || !std::mem::take(&mut context.window_changed) {
         return;
     }
     let Some(window) = &mut context.window else { return };
-    let width = target.width as usize;
-    let row_length = if target.row_length > 0 { target.row_length as usize } else { width };
-    if target.depth.is_empty() && target.format == Format::Rgba && target.kind == GL_UNSIGNED_BYTE && row_length >= width {
-        let length = (target.height as usize - 1) * row_length + width;
-        // SAFETY: the program promised a buffer of `height` rows of `row_length` pixels (the last one of `width`).
-        let out = unsafe { std::slice::from_raw_parts_mut(target.address as *mut u8, length * 4) };
-        return window.copy_color(out, row_length * 4, target.y_up);
-    }
     let pixels = &if target.depth.is_empty() { window.color_pixels() } else { window.pixels() };
     let (width, height) = (pixels.width as usize, pixels.height as usize);
     let bytes = bytes_per_pixel(target.format, target.kind);
@@ -48,17 +50,12 @@ pub fn present(content: &mut Content) {
     }
 }
 
-fn flush_and_present(content: *mut Content) {
-    // SAFETY: this thread owns the content (or its owner is at rest, which GL demands).
-    let content = unsafe { &mut *content };
-    content.context.flush_batch();
-    present(content);
-}
-
 /// glFlush and glFinish write the program's memory.
 pub fn flush(cx: &mut Context) {
     // Between Begin and End this is an error, and the batch stays as it is.
-    cx.flush();
+    if !cx.may_flush() {
+        return;
+    }
     if let Some(content) = current::content() {
         // SAFETY: `cx` is this content's context and is not used any more.
         present(unsafe { &mut *content });
@@ -67,7 +64,8 @@ pub fn flush(cx: &mut Context) {
 
 fn release() {
     if let Some(content) = current::content() {
-        flush_and_present(content);
+        // SAFETY: this thread owns the content (or its owner is at rest, which GL demands).
+        present(unsafe { &mut *content });
     }
     current::set(None);
 }
@@ -92,7 +90,7 @@ fn make_current(context: Handle, buffer: *mut c_void, kind: GLenum, width: c_int
     if !same {
         release();
     } else if content.target.address != buffer as usize || content.target.width != width || content.target.height != height {
-        flush_and_present(content);
+        present(content);
     }
     let Content { context, target } = content;
     if context.config.color != color {

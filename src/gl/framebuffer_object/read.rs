@@ -2,7 +2,7 @@
 
 use super::target::pixels_of;
 use super::{Attachment, Framebuffer, ImageFormat};
-use crate::device::{ColorFormat, DepthFormat, Pixels, PlaneFormat};
+use crate::device::{ColorFormat, DepthFormat, Pixels, PlaneFormat, SharedPlane};
 use crate::gl::Context;
 use crate::gl::enums::*;
 use crate::gl::framebuffer::{Rect, bounds, read_color};
@@ -47,6 +47,12 @@ impl Context {
         self.fbo.view.settle();
         let pixels = pixels_of(&plane);
         Some(f(&pixels))
+    }
+
+    /// The colours that are read of a framebuffer object, and their format.
+    pub(super) fn read_plane(&self) -> Option<(SharedPlane, ImageFormat)> {
+        let source = self.fbo.get(self.fbo.read)?.source(Aspect::Color)?;
+        Some((self.attached_plane(source)?, self.read_format()?))
     }
 
     /// The part of a rectangle that can be read, and its colours before transfer. `None` without a buffer.

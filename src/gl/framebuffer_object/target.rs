@@ -291,6 +291,20 @@ impl Context {
         if samples > 1 { samples } else { 0 }
     }
 
+    /// Resolves all of what is read into all of what is drawn to, framebuffer objects of RGBA8 and one size; false where that is not
+    /// what there is, or the device leaves it to the caller.
+    pub(crate) fn resolve_on_device(&mut self) -> bool {
+        self.flush_batch();
+        self.fbo.view.settle();
+        let Some((from, format)) = self.read_plane() else { return false };
+        let View { colors, size, .. } = &self.fbo.view;
+        let plain = format.base == GL_RGBA && format.bits[..4] == [8; 4] && plane::lock(&from).size == *size;
+        match &colors[..] {
+            [(to, same)] if self.fbo.draw != 0 && plain && *same == format => self.device.resolve(&from, to),
+            _ => false,
+        }
+    }
+
     /// Runs `f` on the pixels that are drawn to, with the mask of the components that may change: once for each draw buffer, or for
     /// depth and stencil.
     pub(crate) fn change_pixels(&mut self, aspect: Aspect, mut f: impl FnMut(&mut Pixels, u32)) {

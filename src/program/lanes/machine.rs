@@ -209,7 +209,7 @@ unsafe fn run_code(code: &[Inst], bases: &[*mut Group; 4], n: usize, reach: &mut
 unsafe fn sample(inst: &Inst, bases: &[*mut Group; 4], n: usize, reach: &mut Reach) {
     let call = &reach.program.samples[inst.imm as usize];
     let read = |o: super::op::Operand, g: usize| unsafe { *bases[o.space()].add(o.group() + g * o.step()) };
-    let texture = reach.textures.get(call.slot as usize).map(Prepared::new);
+    let texture = reach.textures.get(call.slot as usize).map(|binding| Prepared::new(binding, None));
     for g in 0..n {
         let coord = call.coord.map(|o| read(o, g));
         let texel = match &texture {
