@@ -17,7 +17,8 @@ use crate::draw::{Batch, Step, recycle};
 use crate::raster::fine::{Scene, Work, Worker, run_bin};
 use crate::raster::layout::BIN_SIZE;
 use crate::raster::plan::Plan;
-use crate::raster::runs;
+use crate::raster::records::Records;
+use crate::raster::runs::{self, Run};
 use crate::raster::setup::{Chunk, SetupInput};
 use crate::raster::simd::Level;
 use crate::raster::store::{self, BinPixels, Store};
@@ -35,6 +36,7 @@ const WORTH_SHARING_COPY: usize = 1 << 18;
 thread_local! {
     // A worker's memory stays with its thread. No stage runs inside another, so that a borrow is never taken twice.
     static VERTEX: RefCell<VertexWorker> = RefCell::default();
+    static SETUP: RefCell<Chunk> = RefCell::default();
     static FINE: RefCell<Worker> = RefCell::default();
 }
 
@@ -119,7 +121,7 @@ impl Device for CpuDevice {
 struct Scratch {
     shaded: Vec<[f32; 4]>,
     screen: Vec<ScreenVertex>,
-    chunks: Vec<Chunk>,
+    records: Vec<Records>,
     stipple_counter: u32,
 }
 
@@ -277,13 +279,20 @@ fn draw(
     let threads = pool.map_or(1, |p| p.current_num_threads());
     let chunk = (batch.primitives.len() as u32 / (4 * threads as u32)).clamp(CHUNK[1], CHUNK[0]);
     let runs = runs::cut(batch, chunk);
-    let Scratch { shaded, screen, chunks, stipple_counter } = scratch;
+    let Scratch { shaded, screen, records, stipple_counter } = scratch;
     let input = SetupInput { batch, shaded, screen, screen_base, top_first: format.top_first, level };
     let bins = target.size.map(|n| n.div_ceil(BIN_SIZE));
-    let bin = |chunk: &mut Chunk| chunk.bins.run(&chunk.triangles, bins[0], bins[1]);
+    let one = |run: &Run, records: &mut Records, counter: u32| {
+        SETUP.with_borrow_mut(|chunk| {
+            let counter = runs::set_up(run, chunk, &input, counter);
+            chunk.bins.run(&chunk.triangles, bins[0], bins[1]);
+            records.gather(batch, chunk);
+            counter
+        })
+    };
     match pool {
-        Some(pool) if runs.len() > 1 => pool.install(|| runs::set_up(&runs, chunks, &input, stipple_counter, true, bin)),
-        _ => runs::set_up(&runs, chunks, &input, stipple_counter, false, bin),
+        Some(pool) if runs.len() > 1 => pool.install(|| runs::each(&runs, records, batch, stipple_counter, true, one)),
+        _ => runs::each(&runs, records, batch, stipple_counter, false, one),
     }
     let mut work = Vec::with_capacity(runs.len() + batch.steps.len());
     let mut next = 0;
@@ -292,7 +301,7 @@ fn draw(
             work.push(Work::Clear(clear));
         }
         while next < runs.len() && runs[next].step == k {
-            work.push(Work::Triangles(&chunks[next]));
+            work.push(Work::Triangles(&records[next]));
             next += 1;
         }
     }

@@ -18,8 +18,9 @@ pub fn wanted() -> bool {
 pub fn print(batch: &Batch, plans: &[Plan], work: &[Work], tiles: [u64; 2], threads: usize) {
     let mut sum = [0usize; 5];
     for work in work {
-        if let Work::Triangles(chunk) = work {
-            let of = [chunk.triangles.len(), chunk.planes.len(), chunk.bins.entries.len(), chunk.dropped as usize, chunk.clipped as usize];
+        if let Work::Triangles(records) = work {
+            let c = records.counts;
+            let of = [c.triangles, c.planes, c.entries, c.dropped, c.clipped];
             (0..5).for_each(|k| sum[k] += of[k]);
         }
     }

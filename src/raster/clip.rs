@@ -45,7 +45,7 @@ pub fn to_screen_unfused(p: [f32; 4], state: &RasterState) -> ScreenVertex {
     let inv_w = 1.0 / p[3];
     let at = |k: usize| p[k] * inv_w * state.viewport_scale[k] + state.viewport_translate[k];
     let position = [at(0), at(1), at(2)];
-    ScreenVertex { position, inv_w, snapped: [snap(position[0]), snap(position[1])], code: 0 }
+    ScreenVertex { position, inv_w, snapped: [snap(position[0]), snap(position[1])], code: 0, reserved: 0 }
 }
 
 impl Clipper {

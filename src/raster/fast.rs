@@ -33,7 +33,6 @@ pub fn choose(state: &FragmentState, format: SurfaceFormat, [direct, modulate]: 
     // By name: a glob import would hide this module's `BLEND`.
     use fragment_flags::{ALPHA_TEST, DEPTH_TEST, DEPTH_WRITE, LOGIC_OP, STENCIL_TEST};
     if !(direct || modulate)
-        || format.samples > 1
         || format.color != ColorFormat::Rgba8
         || write_mask != !0
         || state.flags & (STENCIL_TEST | ALPHA_TEST | LOGIC_OP) != 0

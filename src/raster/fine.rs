@@ -8,13 +8,13 @@ use super::interpolate::Interpolator;
 use super::layout::*;
 use super::modulate::{Colors, Fragments, Source};
 use super::plan::Plan;
-use super::setup::Chunk;
+use super::records::{self, Records, TRIANGLE_VEC4};
 use super::simd::{Simd, eight, prefetch};
 use super::store::BinPixels;
 use super::texture::Prepared;
 use super::tile::{FULL, LocalEdges, rectangle_mask};
 use super::write::{Color, write};
-use super::{blend, clear, depth_stencil, fast, modulate, samples, textured};
+use super::{blend, clear, depth_stencil, fast, modulate, samples, small, textured};
 use crate::device::SurfaceFormat;
 use crate::device::samples::MAX_SAMPLES;
 use crate::draw::{Batch, Clear};
@@ -26,7 +26,7 @@ pub enum Work<'a> {
     /// Clear a rectangle.
     Clear(&'a Clear),
     /// Draw triangles.
-    Triangles(&'a Chunk),
+    Triangles(&'a Records),
 }
 
 /// What every bin reads.
@@ -85,7 +85,7 @@ impl<'a> Scene<'a> {
     #[inline(always)]
     pub fn planes(&self, work: u32, first: u32) -> &[[f32; 4]] {
         match self.work[work as usize] {
-            Work::Triangles(chunk) => &chunk.planes[first as usize..],
+            Work::Triangles(records) => records.planes(first),
             Work::Clear(_) => &[],
         }
     }
@@ -107,7 +107,7 @@ pub struct Worker {
     lanes: usize,
     /// Fragments of one modulated texture.
     fragments: Box<Fragments>,
-    /// Tiles that were fully and partly covered.
+    /// Tiles that were fully and partly covered; a small triangle is one of these.
     pub tiles: [u64; 2],
 }
 
@@ -144,11 +144,19 @@ fn bin_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, index: usize, bin: &m
                 flush::<S>(worker, scene, current, bin);
                 clear::run(c, scene.format, bin);
             }
-            Work::Triangles(chunk) => {
-                let list = chunk.bins.list(index);
-                for (k, &t) in list.iter().enumerate() {
-                    prefetch_after(chunk, &list[k..]);
-                    let t = &chunk.triangles[t as usize];
+            Work::Triangles(records) => {
+                if let Some(Work::Triangles(later)) = scene.work.get(index_of_work + 4) {
+                    later.prefetch_list(index);
+                }
+                if let Some(Work::Triangles(next)) = scene.work.get(index_of_work + 1) {
+                    prefetch_records(next.list(index));
+                }
+                let mut list = records.list(index);
+                while !list.is_empty() {
+                    if let Some(soon) = list.get(AHEAD) {
+                        prefetch(soon);
+                    }
+                    let t = records::triangle(list);
                     if t.draw != current {
                         flush::<S>(worker, scene, current, bin);
                         current = t.draw;
@@ -161,7 +169,9 @@ fn bin_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, index: usize, bin: &m
                             worker.inputs.resize(count, ZERO4);
                         }
                     }
-                    triangle::<S>(worker, scene, t, &chunk.planes[t.planes as usize..], bin);
+                    let (this, rest) = list.split_at(records::size(scene.plans[current as usize].record));
+                    triangle::<S>(worker, scene, t, &this[TRIANGLE_VEC4..], bin);
+                    list = rest;
                 }
             }
         }
@@ -169,35 +179,29 @@ fn bin_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, index: usize, bin: &m
     flush::<S>(worker, scene, current, bin);
 }
 
-/// Asks for triangles and planes that a list will come to soon.
+/// vec4 from a record to what is asked for meanwhile: some four triangles of one varying.
+const AHEAD: usize = 32;
+
+/// Asks for the first records of a list.
 #[inline(always)]
-fn prefetch_after(chunk: &Chunk, list: &[u32]) {
-    if let (Some(&near), Some(&far)) = (list.get(3), list.get(8)) {
-        prefetch(&chunk.triangles[far as usize]);
-        let planes = chunk.triangles[near as usize].planes as usize;
-        prefetch(&chunk.planes[planes]);
-        // The next cache line, which most blocks of planes reach.
-        if let Some(next) = chunk.planes.get(planes + 4) {
-            prefetch(next);
-        }
-    }
+fn prefetch_records(list: &[[f32; 4]]) {
+    list.iter().step_by(4).take(AHEAD / 4).for_each(prefetch);
 }
 
 #[inline(always)]
 fn triangle<S: Simd>(worker: &mut Worker, scene: &Scene, t: &Triangle, planes: &[[f32; 4]], bin: &mut BinPixels) {
     let plan = &scene.plans[t.draw as usize];
-    let local = LocalEdges::<S>::new(t, bin.origin[0], bin.origin[1]);
     if scene.format.samples > 1 {
-        return samples::tiles::<S>(worker, scene, plan, t, &local, planes, bin);
+        return samples::tiles::<S>(worker, scene, plan, t, planes, bin);
     }
     match plan.fast {
-        fast::DEPTH => tiles::<S, { fast::DEPTH }>(worker, scene, plan, t, &local, planes, bin),
-        fast::BLEND => tiles::<S, { fast::BLEND }>(worker, scene, plan, t, &local, planes, bin),
-        fast::DEPTH_BLEND => tiles::<S, { fast::DEPTH_BLEND }>(worker, scene, plan, t, &local, planes, bin),
-        fast::COPY => tiles::<S, { fast::COPY }>(worker, scene, plan, t, &local, planes, bin),
-        fast::TEXTURED_DEPTH => tiles::<S, { fast::TEXTURED_DEPTH }>(worker, scene, plan, t, &local, planes, bin),
-        fast::TEXTURED_COPY => tiles::<S, { fast::TEXTURED_COPY }>(worker, scene, plan, t, &local, planes, bin),
-        _ => tiles::<S, { fast::NONE }>(worker, scene, plan, t, &local, planes, bin),
+        fast::DEPTH => tiles::<S, { fast::DEPTH }>(worker, scene, plan, t, planes, bin),
+        fast::BLEND => tiles::<S, { fast::BLEND }>(worker, scene, plan, t, planes, bin),
+        fast::DEPTH_BLEND => tiles::<S, { fast::DEPTH_BLEND }>(worker, scene, plan, t, planes, bin),
+        fast::COPY => tiles::<S, { fast::COPY }>(worker, scene, plan, t, planes, bin),
+        fast::TEXTURED_DEPTH => tiles::<S, { fast::TEXTURED_DEPTH }>(worker, scene, plan, t, planes, bin),
+        fast::TEXTURED_COPY => tiles::<S, { fast::TEXTURED_COPY }>(worker, scene, plan, t, planes, bin),
+        _ => tiles::<S, { fast::NONE }>(worker, scene, plan, t, planes, bin),
     }
 }
 
@@ -263,11 +267,15 @@ fn tiles<S: Simd, const MODE: u32>(
     scene: &Scene,
     plan: &Plan,
     t: &Triangle,
-    local: &LocalEdges<S>,
     planes: &[[f32; 4]],
     bin: &mut BinPixels,
 ) {
+    if MODE != fast::NONE && MODE & fast::TEXTURE == 0 && small::fits(plan, t) {
+        worker.tiles[1] += small::draw::<S, MODE>(plan, t, planes, bin) as u64;
+        return;
+    }
     let [ox, oy] = bin.origin;
+    let local = LocalEdges::<S>::new(t, ox, oy);
     let extent = Extent::new(plan, t, bin);
     let source = Source { work: worker.work, planes: t.planes, perspective: t.flags & triangle_flags::PERSPECTIVE != 0 };
     for ty in extent.tiles(extent.rows) {

@@ -10,6 +10,8 @@ pub mod clear;
 pub mod clip;
 pub mod depth_stencil;
 pub mod fast;
+mod fast_samples;
+mod filled;
 pub mod fine;
 pub mod formats;
 mod interpolate;
@@ -19,12 +21,14 @@ mod modulate;
 mod modulate_one;
 pub mod plan;
 mod point_line;
+pub mod records;
 pub mod runs;
 pub mod samples;
 pub mod setup;
 pub mod simd;
 #[cfg(target_arch = "x86_64")]
 mod simd_avx2;
+mod small;
 pub mod store;
 #[cfg(feature = "study")]
 pub mod study;

@@ -37,6 +37,8 @@ pub struct Plan<'a> {
     pub write_mask: u32,
     /// Which routine of [`super::fast`] serves the draw: `fast::*`.
     pub fast: u32,
+    /// The same of [`super::fast_samples`], on surfaces with several samples a pixel.
+    pub fast_samples: u32,
     /// Added to the stored depth before "less": 1 for LEQUAL.
     pub depth_bias: i32,
     /// Vec4 of a varying's planes that are interpolated: mode by varying.
@@ -63,6 +65,14 @@ impl<'a> Plan<'a> {
         if format.color == ColorFormat::Rgbx8 {
             write_mask |= 0xff00_0000;
         }
+        let routine = fast::choose(state, format, [direct.is_some(), modulate.is_some()], write_mask);
+        // With samples only what needs no texture, and a triangle's coverage by its edges alone.
+        let by_sample = fragment_flags::ALPHA_TO_COVERAGE | fragment_flags::ALPHA_TO_ONE;
+        let samples_serve = routine & fast::TEXTURE == 0 && state.flags & by_sample == 0 && state.dropped_samples == 0;
+        let (fast, fast_samples) = match format.samples {
+            1 => (routine, fast::NONE),
+            _ => (fast::NONE, if samples_serve { routine } else { fast::NONE }),
+        };
         Plan {
             record: &draw.record,
             state,
@@ -79,7 +89,8 @@ impl<'a> Plan<'a> {
             depth_range: raster.depth_range,
             constant: blend::constant_pairs(state),
             write_mask,
-            fast: fast::choose(state, format, [direct.is_some(), modulate.is_some()], write_mask),
+            fast,
+            fast_samples,
             depth_bias: (state.depth_func == compare::LEQUAL) as i32,
             modes: draw.record.varyings.map(|v| v >> 16 & 3),
         }
@@ -100,6 +111,7 @@ impl Plan<'_> {
             fast::DEPTH_BLEND => "the depth-tested blending routine (colour passes through, no program)",
             fast::COPY => "the replacing routine (colour passes through, no program, no tests)",
             f if f & fast::TEXTURE != 0 => "the routine of one texture (no program)",
+            _ if self.fast_samples != fast::NONE => "the routine of several samples (colour passes through, no program)",
             _ if self.direct.is_some() => "the general routine without a program",
             _ if self.modulate.is_some() => "the general routine with one texture (no program)",
             _ if self.early => "the general routine with early tests and a program",

@@ -34,34 +34,34 @@ pub fn stippled(batch: &Batch) -> bool {
     batch.raster_states.iter().any(|s| s.flags & raster_flags::LINE_STIPPLE != 0)
 }
 
-/// Sets up every run in a chunk of its own, and calls `then` with it: in parallel on the current thread pool where that is asked
-/// for and possible. `counter` is the line stipple counter.
-pub fn set_up(
+/// Calls `one` with every run, its result's place and the line stipple counter before it: in parallel on the current thread pool where
+/// that is asked for and possible. `one` returns the counter after the run.
+pub fn each<T: Default + Send>(
     runs: &[Run],
-    chunks: &mut Vec<Chunk>,
-    input: &SetupInput,
+    results: &mut Vec<T>,
+    batch: &Batch,
     counter: &mut u32,
     parallel: bool,
-    then: impl Fn(&mut Chunk) + Sync,
+    one: impl Fn(&Run, &mut T, u32) -> u32 + Sync,
 ) {
-    if chunks.len() < runs.len() {
-        chunks.resize_with(runs.len(), Chunk::default);
+    if results.len() < runs.len() {
+        results.resize_with(runs.len(), T::default);
     }
-    let one = |(chunk, run): (&mut Chunk, &Run)| {
-        chunk.clear();
-        chunk.run(input, run.first, run.end);
-        then(chunk);
-    };
-    let pairs = chunks.iter_mut().zip(runs);
-    if stippled(input.batch) {
-        for (chunk, run) in pairs {
-            chunk.stipple_counter = *counter;
-            one((&mut *chunk, run));
-            *counter = chunk.stipple_counter;
-        }
+    let pairs = results.iter_mut().zip(runs);
+    let before = *counter;
+    if stippled(batch) {
+        pairs.for_each(|(result, run)| *counter = one(run, result, *counter));
     } else if parallel && runs.len() > 1 {
-        chunks[..runs.len()].par_iter_mut().zip(runs).with_max_len(1).for_each(one);
+        results[..runs.len()].par_iter_mut().zip(runs).with_max_len(1).for_each(|(result, run)| _ = one(run, result, before));
     } else {
-        pairs.for_each(one);
+        pairs.for_each(|(result, run)| _ = one(run, result, before));
     }
+}
+
+/// Sets up a run. Returns the line stipple counter after it.
+pub fn set_up(run: &Run, chunk: &mut Chunk, input: &SetupInput, counter: u32) -> u32 {
+    chunk.clear();
+    chunk.stipple_counter = counter;
+    chunk.run(input, run.first, run.end);
+    chunk.stipple_counter
 }

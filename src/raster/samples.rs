@@ -2,7 +2,7 @@
 //!
 //! A bin holds its samples one after the other, so that the routines of one sample serve all of them.
 
-use super::depth_stencil;
+use super::fast_samples::Brush;
 use super::fine::{Extent, Row, Scene, Worker, depth, direct_color, queue, row8};
 use super::layout::*;
 use super::plan::Plan;
@@ -10,6 +10,7 @@ use super::simd::Simd;
 use super::store::{BIN_PIXELS, BinPixels};
 use super::tile::{FULL, LocalEdges};
 use super::write::{self, Color};
+use super::{depth_stencil, fast, small};
 use crate::device::samples::{MAX_SAMPLES, positions};
 
 /// Which of eight pixels in a row, by sample.
@@ -41,20 +42,19 @@ fn sample_place<S: Simd>(place: [i32; 2], [x, y]: [i32; 2]) -> (S::F, S::F) {
 
 /// Walks the tiles of a triangle in a bin.
 #[inline(always)]
-pub fn tiles<S: Simd>(
-    worker: &mut Worker,
-    scene: &Scene,
-    plan: &Plan,
-    t: &Triangle,
-    centre: &LocalEdges<S>,
-    planes: &[[f32; 4]],
-    bin: &mut BinPixels,
-) {
+pub fn tiles<S: Simd>(worker: &mut Worker, scene: &Scene, plan: &Plan, t: &Triangle, planes: &[[f32; 4]], bin: &mut BinPixels) {
     let [ox, oy] = bin.origin;
     let count = scene.format.samples as usize;
     let several = t.flags & triangle_flags::MULTISAMPLE != 0;
-    let all = if several { centre.of_all_samples() } else { *centre };
-    let mut edges = [*centre; MAX_SAMPLES as usize];
+    let brush = Brush::new(plan, t, planes, scene.format.samples);
+    let fast = several && plan.fast_samples != fast::NONE;
+    if fast && small::fits(plan, t) {
+        worker.tiles[1] += brush.small::<S>(t, bin) as u64;
+        return;
+    }
+    let centre = LocalEdges::<S>::new(t, ox, oy);
+    let all = if several { centre.of_all_samples() } else { centre };
+    let mut edges = [centre; MAX_SAMPLES as usize];
     if several {
         for (edges, &at) in edges.iter_mut().zip(positions(scene.format.samples)) {
             *edges = centre.sample(at);
@@ -81,6 +81,10 @@ pub fn tiles<S: Simd>(
             }
             let mut left = masks.iter().fold(0, |all, mask| all | mask);
             worker.tiles[!(reached.full && allowed == FULL) as usize] += (left != 0) as u64;
+            if fast {
+                brush.tile::<S>(((ty * 8 + tx) * 64) as usize, [ox + tx * 8, oy + ty * 8], &masks, bin);
+                continue;
+            }
             while left != 0 {
                 let row = left.trailing_zeros() as i32 / 8;
                 left &= !(0xff << (8 * row));

@@ -4,6 +4,7 @@
 //! the planes is part of the image: single precision, every operation rounded, in exactly this order.
 
 use super::clip::{ClipVertex, Clipper, possible};
+use super::filled;
 use super::layout::*;
 use super::simd::{Level, Simd};
 use super::vertex::ScreenVertex;
@@ -114,6 +115,18 @@ impl Chunk {
             Corner { screen: screen[v], shaded: &input.shaded[base + v * stride..base + (v + 1) * stride] }
         };
         let before = self.triangles.len();
+        if filled::serves(record, state) {
+            let [a, b, c] = [primitive.v[0] as usize, primitive.v[1] as usize, primitive.v[2] as usize];
+            let places = [&screen[a], &screen[b], &screen[c]];
+            if places[0].code | places[1].code | places[2].code == 0 {
+                let shaded = &input.shaded[base..];
+                let [a, b, c] = [&shaded[a * stride..], &shaded[b * stride..], &shaded[c * stride..]];
+                let context = Context { record, state, draw, primitive: index, provoking: c, top_first: input.top_first };
+                self.filled(&context, places, [a, b, c]);
+                self.dropped += (self.triangles.len() == before) as u32;
+                return;
+            }
+        }
         let edge = |bit: u32| primitive.draw_and_flags & bit != 0;
         if primitive.draw_and_flags & PRIM_RESET_STIPPLE != 0 {
             self.stipple_counter = 0;

@@ -83,6 +83,10 @@ pub trait Simd: Copy + 'static {
     fn planes(planes: &[[f32; 4]; 3], x: &[f32; 8], y: f32, count: usize, to: &mut [[f32; 4]; 8]);
     /// Eight rows of four to four columns of eight.
     fn columns(rows: [&[f32; 4]; 8]) -> [Self::F; 4];
+    /// Four columns of eight to eight rows of four.
+    fn rows(columns: [Self::F; 4]) -> [[f32; 4]; 8];
+    /// Bytes to lanes.
+    fn extend(v: &[u8; 8]) -> Self::I;
     /// The first lanes spread, in their order, to those whose bit is set; the others are anything.
     fn expand(a: Self::I, bits: u32) -> Self::I;
     /// The numbers of the lanes whose bit is set, in their order, in the first lanes; the others are anything.
@@ -415,6 +419,20 @@ impl Simd for Portable {
             }
         }
         r
+    }
+    #[inline(always)]
+    fn rows(columns: [Self::F; 4]) -> [[f32; 4]; 8] {
+        let mut r = [[0.0; 4]; 8];
+        for (c, column) in columns.iter().enumerate() {
+            for k in 0..8 {
+                r[k][c] = column[k];
+            }
+        }
+        r
+    }
+    #[inline(always)]
+    fn extend(v: &[u8; 8]) -> Self::I {
+        map(*v, i32::from)
     }
     #[inline(always)]
     fn expand(a: Self::I, bits: u32) -> Self::I {

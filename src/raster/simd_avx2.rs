@@ -194,6 +194,26 @@ impl Simd for Avx2 {
             _mm256_shuffle_ps::<0xee>(ab_high, cd_high),
         ]
     });
+    op!(rows(columns: [Self::F; 4]) -> [[f32; 4]; 8], {
+        use std::arch::x86_64::*;
+        let [x, y, z, w] = columns;
+        let (xy, zw) = (_mm256_unpacklo_ps(x, y), _mm256_unpacklo_ps(z, w));
+        let (xy_high, zw_high) = (_mm256_unpackhi_ps(x, y), _mm256_unpackhi_ps(z, w));
+        // Rows k and k + 4.
+        let pairs = [
+            _mm256_shuffle_ps::<0x44>(xy, zw),
+            _mm256_shuffle_ps::<0xee>(xy, zw),
+            _mm256_shuffle_ps::<0x44>(xy_high, zw_high),
+            _mm256_shuffle_ps::<0xee>(xy_high, zw_high),
+        ];
+        let mut rows = [[0.0; 4]; 8];
+        for k in 0..4 {
+            _mm_storeu_ps(rows[k].as_mut_ptr(), _mm256_castps256_ps128(pairs[k]));
+            _mm_storeu_ps(rows[k + 4].as_mut_ptr(), _mm256_extractf128_ps::<1>(pairs[k]));
+        }
+        rows
+    });
+    op!(extend(v: &[u8; 8]) -> Self::I, std::arch::x86_64::_mm256_cvtepu8_epi32(std::arch::x86_64::_mm_loadl_epi64(v.as_ptr().cast())));
     #[inline(always)]
     fn expand(a: Self::I, bits: u32) -> Self::I {
         Self::permute(a, &MOVES[bits as usize & 255])

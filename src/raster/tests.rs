@@ -89,6 +89,10 @@ fn coverage_is_what_exact_arithmetic_says() {
             let local = LocalEdges::new(&t, bx, by);
             let (tx, ty) = (random.below(8) * 8, random.below(8) * 8);
             let mask = coverage(&local, tx, ty);
+            if size == 600 {
+                let square = LocalEdges::<Portable>::new(&t, bx + tx, by + ty).square();
+                assert_eq!(square, mask, "{t:?} at {}, {}", bx + tx, by + ty);
+            }
             for k in 0..64 {
                 let expected = covers(&t, bx + tx + k % 8, by + ty + k / 8);
                 assert_eq!(mask >> k & 1 != 0, expected, "{t:?} pixel {k} of the tile at {}, {}", bx + tx, by + ty);
@@ -261,6 +265,39 @@ fn threads_levels_and_shortcuts_give_the_same_bits() {
 }
 
 /// Noise with mipmaps.
+/// Triangles of up to some twelve pixels, over all borders of tiles and bins.
+fn crumbs(seed: u64, count: usize) -> Vec<[[f32; 4]; 2]> {
+    let mut random = Random(seed);
+    let mut vertices = Vec::new();
+    for _ in 0..count {
+        let (at, z, side) = ([random.signed(), random.signed()], random.signed() * 0.9, 0.02 + 0.1 * random.unit());
+        for _ in 0..3 {
+            let w = 0.5 + random.unit();
+            let [x, y] = [at[0] + side * random.signed(), at[1] + side * random.signed()];
+            let position = [x * w, y * w, (z + 0.05 * random.signed()) * w, w];
+            vertices.push([position, [random.unit(), random.unit(), random.unit(), random.unit()]]);
+        }
+    }
+    vertices
+}
+
+#[test]
+fn small_triangles_have_the_bits_of_the_general_routine() {
+    let vertices = crumbs(9, 4000);
+    for samples in [1, 2, 4, 16] {
+        for flags in [0, TESTED, fragment_flags::BLEND, TESTED | fragment_flags::BLEND] {
+            let one = |level, shortcut| {
+                let device = CpuDevice::with(2, level);
+                draw_on(Canvas { scale: 1, samples }, &device, &vertices, topology::TRIANGLES, flags, program(shortcut), Vec::new())
+            };
+            let general = one(Level::Scalar, Shortcut::None);
+            for level in [Level::Scalar, Level::best()] {
+                assert!(general == one(level, Shortcut::Varying(0)), "flags {flags}, {samples} samples, {level:?}");
+            }
+        }
+    }
+}
+
 fn noise_texture(size: [u32; 2], filters: (bool, bool, Option<bool>), wrap: Wrap) -> TextureBinding {
     let mut random = Random(6);
     let mut level = |k: u32| {

@@ -106,9 +106,9 @@ impl<S: Simd> LocalEdges<S> {
         let (xj, yj) = (S::permute(words, &[1, 2, 0, 0, 0, 0, 0, 0]), S::permute(words, &[4, 5, 3, 3, 3, 3, 3, 3]));
         let (dcdy, dcdx) = (S::isub(xi, xj), S::isub(yi, yj));
         let (a, b) = (S::isub(S::i(0), dcdx), dcdy);
-        // Steps below 2^12 and places below 2^15: products and their differences fit.
-        let bias = S::i(2048);
-        let beyond = S::andnot(S::i(4095), S::or(S::iadd(dcdy, bias), S::iadd(dcdx, bias)));
+        // Steps of at most 2^14, 64 pixels, and so places of at most 2^15 and a little: products and their differences fit.
+        let bias = S::i(1 << 14);
+        let beyond = S::andnot(S::i((1 << 15) - 1), S::or(S::iadd(dcdy, bias), S::iadd(dcdx, bias)));
         let (c, low) = if S::signs(S::eq(beyond, S::i(0))) & 7 == 7 {
             let (px, py) = (S::isub(xi, S::i(x << SUBPIXEL_BITS)), S::isub(yi, S::i(y << SUBPIXEL_BITS)));
             let bottom = if t.flags & triangle_flags::BOTTOM_UP != 0 { S::gt(dcdy, S::i(0)) } else { S::gt(S::i(0), dcdy) };
@@ -133,6 +133,24 @@ impl<S: Simd> LocalEdges<S> {
             local.down[i] = S::permute(b, &EDGE[i]);
         }
         local
+    }
+
+    /// Coverage of the 8 x 8 pixels from the place on: bit 8 * y + x. For triangles that are not much larger: no value is saturated.
+    #[inline(always)]
+    pub fn square(&self) -> u64 {
+        let mut values = self.along;
+        for i in 0..3 {
+            values[i] = S::iadd(values[i], S::permute(self.c, &EDGE[i]));
+        }
+        let mut mask = 0;
+        for row in 0..8 {
+            let outside = S::or(S::or(values[0], values[1]), values[2]);
+            mask |= ((!S::signs(outside) & 0xff) as u64) << (8 * row);
+            for i in 0..3 {
+                values[i] = S::iadd(values[i], self.down[i]);
+            }
+        }
+        mask
     }
 
     /// The edge functions of a sample, by its place from the centre in 1/16 pixel.

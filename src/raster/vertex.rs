@@ -24,6 +24,8 @@ pub struct ScreenVertex {
     pub snapped: [i32; 2],
     /// `clip_code::*`; the vertex may be drawn as it is where it is zero.
     pub code: u32,
+    /// Zero: a vertex is two vec4.
+    pub reserved: u32,
 }
 
 /// Bits of [`ScreenVertex::code`], in the order in which the planes clip.
@@ -75,12 +77,12 @@ pub fn frustum_code(p: [f32; 4], raster_flags_: u32) -> u32 {
 #[inline(always)]
 pub fn to_screen(p: [f32; 4], state: &RasterState) -> ScreenVertex {
     if state.flags & raster_flags::WINDOW_SPACE != 0 {
-        return ScreenVertex { position: [p[0], p[1], p[2]], inv_w: 1.0, snapped: [snap(p[0]), snap(p[1])], code: 0 };
+        return ScreenVertex { position: [p[0], p[1], p[2]], inv_w: 1.0, snapped: [snap(p[0]), snap(p[1])], code: 0, reserved: 0 };
     }
     let inv_w = 1.0 / p[3];
     let at = |k: usize| (p[k] * inv_w).mul_add(state.viewport_scale[k], state.viewport_translate[k]);
     let position = [at(0), at(1), at(2)];
-    ScreenVertex { position, inv_w, snapped: [snap(position[0]), snap(position[1])], code: frustum_code(p, state.flags) }
+    ScreenVertex { position, inv_w, snapped: [snap(position[0]), snap(position[1])], code: frustum_code(p, state.flags), reserved: 0 }
 }
 
 /// Columns of one worker.
@@ -100,8 +102,13 @@ impl Default for VertexWorker {
     }
 }
 
-/// Reads attribute `slot` of `count` vertices from `first` on into columns.
-fn fetch(batch: &Batch, record: &DrawRecord, slot: usize, first: usize, count: usize, column: &mut Column4) {
+crate::dispatch! {
+    /// Reads attribute `slot` of `count` vertices from `first` on into columns.
+    fn fetch = fetch_kernel(batch: &Batch, record: &DrawRecord, slot: usize, first: usize, count: usize, column: &mut Column4)
+}
+
+#[inline(always)]
+fn fetch_kernel<S: Simd>(batch: &Batch, record: &DrawRecord, slot: usize, first: usize, count: usize, column: &mut Column4) {
     let offset = record.attribute_offset[slot];
     if offset == NONE {
         let value = batch.uniforms[record.constants as usize + slot];
@@ -111,14 +118,31 @@ fn fetch(batch: &Batch, record: &DrawRecord, slot: usize, first: usize, count: u
         return;
     }
     let (size, stride) = (record.attribute_size[slot] as usize, record.vertex_stride as usize);
+    let start = record.vertex_word as usize + first * stride + offset as usize;
+    let mut done = 0;
+    if size >= 3 {
+        // Eight vertices at a time, four words of each, as far as there are so many.
+        while done + LANES <= count && start + (done + LANES - 1) * stride + 4 <= batch.vertices.len() {
+            let from = &batch.vertices[start + done * stride..];
+            let mut rows = [&[0.0; 4]; LANES];
+            for (k, row) in rows.iter_mut().enumerate() {
+                *row = from[k * stride..].first_chunk().expect("four words");
+            }
+            let columns = S::columns(rows);
+            for component in 0..size.min(4) {
+                S::store(columns[component], &mut column[component][done / LANES]);
+            }
+            done += LANES;
+        }
+    }
     for (component, column) in column.iter_mut().enumerate() {
         let lanes = column.as_flattened_mut();
         if component >= size {
             lanes.fill(if component == 3 { 1.0 } else { 0.0 });
             continue;
         }
-        let mut word = record.vertex_word as usize + first * stride + offset as usize + component;
-        for lane in &mut lanes[..count] {
+        let mut word = start + done * stride + component;
+        for lane in &mut lanes[done..count] {
             *lane = batch.vertices[word];
             word += stride;
         }
@@ -138,36 +162,90 @@ impl VertexWorker {
         let count = screen.len();
         for slot in 0..ATTRIBUTES {
             if program.attributes >> slot & 1 != 0 {
-                fetch(batch, record, slot, first, count, &mut self.inputs[slot]);
+                fetch(level, batch, record, slot, first, count, &mut self.inputs[slot]);
             }
         }
         let stride = record.shaded_stride as usize;
         self.outputs.resize(stride.max(1 + program.outputs.len()), ZERO4);
         let env = Environment { uniforms: &batch.uniforms, base: record.vertex_uniforms, textures: &[] };
         self.machine.run_vertex(program, &env, &self.inputs, &mut self.outputs, count.div_ceil(LANES));
-        for (k, column) in self.outputs[..stride].iter().enumerate() {
-            let [x, y, z, w] = column.each_ref().map(|c| c.as_flattened());
-            for (v, to) in shaded[k..].iter_mut().step_by(stride).take(count).enumerate() {
-                *to = [x[v], y[v], z[v], w[v]];
-            }
-        }
         let state = &batch.raster_states[record.raster_state as usize];
-        place_all(level, shaded, record, state, screen);
+        write(level, &self.outputs[..stride], record, state, shaded, screen);
     }
 }
 
 crate::dispatch! {
-    /// Puts shaded vertices on the screen.
-    fn place_all = place_kernel(shaded: &[[f32; 4]], record: &DrawRecord, state: &RasterState, screen: &mut [ScreenVertex])
+    /// Writes a program's outputs, vertex by vertex, and puts the vertices on the screen.
+    fn write = write_kernel(columns: &[Column4], record: &DrawRecord, state: &RasterState, shaded: &mut [[f32; 4]], screen: &mut [ScreenVertex])
 }
 
-/// At the level of AVX2 and FMA, rounding and fused products are instructions, not calls.
 #[inline(always)]
-#[allow(clippy::extra_unused_type_parameters)]
-fn place_kernel<S: Simd>(shaded: &[[f32; 4]], record: &DrawRecord, state: &RasterState, screen: &mut [ScreenVertex]) {
-    for (vertex, to) in shaded.chunks_exact(record.shaded_stride as usize).zip(screen) {
-        *to = place(vertex, record, state);
+fn write_kernel<S: Simd>(
+    columns: &[Column4],
+    record: &DrawRecord,
+    state: &RasterState,
+    shaded: &mut [[f32; 4]],
+    screen: &mut [ScreenVertex],
+) {
+    let stride = columns.len();
+    for (group, (shaded, screen)) in shaded.chunks_mut(LANES * stride).zip(screen.chunks_mut(LANES)).enumerate() {
+        for (k, c) in columns.iter().enumerate() {
+            let rows = S::rows([S::load(&c[0][group]), S::load(&c[1][group]), S::load(&c[2][group]), S::load(&c[3][group])]);
+            for (to, row) in shaded[k..].iter_mut().step_by(stride).zip(rows) {
+                *to = row;
+            }
+        }
+        if state.flags & raster_flags::WINDOW_SPACE != 0 || record.clip_distances != NONE {
+            for (to, vertex) in screen.iter_mut().zip(shaded.chunks_exact(stride)) {
+                *to = place(vertex, record, state);
+            }
+        } else {
+            let p = &columns[0];
+            let placed = to_screen_wide::<S>([&p[0][group], &p[1][group], &p[2][group], &p[3][group]], state);
+            for (to, placed) in screen.iter_mut().zip(placed) {
+                *to = placed;
+            }
+        }
     }
+}
+
+/// [`to_screen`] of eight vertices, given by columns, that are not in window space.
+#[inline(always)]
+fn to_screen_wide<S: Simd>(p: [&[f32; 8]; 4], state: &RasterState) -> [ScreenVertex; 8] {
+    let [x, y, z, w] = [S::load(p[0]), S::load(p[1]), S::load(p[2]), S::load(p[3])];
+    let inv_w = S::div(S::f(1.0), w);
+    let (scale, translate) = (&state.viewport_scale, &state.viewport_translate);
+    let sx = S::fma(S::mul(x, inv_w), S::f(scale[0]), S::f(translate[0]));
+    let sy = S::fma(S::mul(y, inv_w), S::f(scale[1]), S::f(translate[1]));
+    let sz = S::fma(S::mul(z, inv_w), S::f(scale[2]), S::f(translate[2]));
+    let (low, high) = (S::f(COORDINATE_RANGE[0]), S::f(COORDINATE_RANGE[1]));
+    let (half, subpixels) = (S::f(0.5), S::f(256.0));
+    let snapped_x = S::round(S::mul(S::sub(S::clamp(sx, low, high), half), subpixels));
+    let snapped_y = S::round(S::mul(S::sub(S::clamp(sy, low, high), half), subpixels));
+    // As in `frustum_code`.
+    let zero = S::f(0.0);
+    let mut code = S::and(S::lt(w, x), S::i(clip_code::RIGHT as i32));
+    code = S::or(code, S::and(S::lt(S::add(x, w), zero), S::i(clip_code::LEFT as i32)));
+    code = S::or(code, S::and(S::lt(w, y), S::i(clip_code::TOP as i32)));
+    code = S::or(code, S::and(S::lt(S::add(y, w), zero), S::i(clip_code::BOTTOM as i32)));
+    if state.flags & raster_flags::NO_Z_CLIP == 0 {
+        code = S::or(code, S::and(S::lt(S::add(z, w), zero), S::i(clip_code::NEAR as i32)));
+        code = S::or(code, S::and(S::lt(w, z), S::i(clip_code::FAR as i32)));
+    }
+    let exponent = S::i(0x7f80_0000);
+    let sum = S::bits(S::add(S::add(S::add(x, y), z), w));
+    let any = S::or(S::or(S::bits(x), S::bits(y)), S::or(S::bits(z), S::bits(w)));
+    let invalid = S::or(S::eq(S::and(sum, exponent), exponent), S::eq(S::shl::<1>(any), S::i(0)));
+    code = S::or(code, S::and(invalid, S::i(clip_code::INVALID as i32)));
+    let places = S::rows([sx, sy, sz, inv_w]);
+    let others = S::rows([S::from_bits(snapped_x), S::from_bits(snapped_y), S::from_bits(code), S::from_bits(S::i(0))]);
+    let mut placed = [ScreenVertex::default(); 8];
+    for k in 0..8 {
+        let [sx, sy, code, reserved] = bytemuck::cast::<[f32; 4], [u32; 4]>(others[k]);
+        let [x, y, z, inv_w] = places[k];
+        placed[k] = ScreenVertex { position: [x, y, z], inv_w, snapped: [sx as i32, sy as i32], code, reserved };
+    }
+    placed
 }
 
 /// Puts a shaded vertex on the screen, user clip planes looked at.
@@ -229,4 +307,44 @@ pub fn blocks<'a>(batch: &'a Batch, shaded: &'a mut Vec<[f32; 4]>, screen: &'a m
         at = record.shaded_base as usize + record.vertex_count as usize * record.shaded_stride as usize;
     }
     (bases, blocks)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bytemuck::Zeroable;
+
+    #[test]
+    fn eight_vertices_are_placed_as_one() {
+        let odd = [0.0, -0.0, 1.0, -1.0, 0.37, -2.5, 1e-42, 1e30, -1e30, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, 3.0e38];
+        let mut columns = [ZERO4];
+        let mut state = 1u32;
+        let mut odd_one = || {
+            state = state.wrapping_mul(747796405).wrapping_add(2891336453);
+            odd[(state >> 16) as usize % odd.len()]
+        };
+        for flags in [0, raster_flags::NO_Z_CLIP, raster_flags::WINDOW_SPACE] {
+            let raster =
+                RasterState { flags, viewport_scale: [100.0, -75.0, 0.5], viewport_translate: [100.5, 75.0, 0.5], ..Zeroable::zeroed() };
+            let record = DrawRecord { clip_distances: NONE, shaded_stride: 1, ..Zeroable::zeroed() };
+            for _ in 0..50 {
+                columns[0].as_flattened_mut().as_flattened_mut().iter_mut().for_each(|v| *v = odd_one());
+                for level in [Level::Scalar, Level::best()] {
+                    let count = BLOCK - 3;
+                    let (mut shaded, mut screen) = (vec![[0.0; 4]; count], vec![ScreenVertex::default(); count]);
+                    write(level, &columns, &record, &raster, &mut shaded, &mut screen);
+                    for (v, placed) in shaded.iter().zip(&screen) {
+                        let bits = |s: &ScreenVertex| (s.position.map(f32::to_bits), s.inv_w.to_bits(), s.snapped, s.code);
+                        let nan = |s: &ScreenVertex| s.position.iter().any(|p| p.is_nan());
+                        let alone = to_screen(*v, &raster);
+                        // Which NaN it is does not matter.
+                        assert!(
+                            bits(&alone) == bits(placed) || nan(&alone) && nan(placed) && alone.code == placed.code,
+                            "{v:?}: {alone:?}, {placed:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
 }

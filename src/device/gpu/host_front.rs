@@ -39,7 +39,7 @@ impl HostFront {
         (self.first, self.counter_before) = (runs.first().map_or(0, |run| run.first), self.stipple_counter);
         let HostFront { shaded, screen, chunks, stipple_counter, .. } = self;
         let input = SetupInput { batch, shaded, screen, screen_base: &screen_base, top_first, level: Level::from_environment() };
-        runs::set_up(&runs, chunks, &input, stipple_counter, true, |_| ());
+        runs::each(&runs, chunks, batch, stipple_counter, true, |run, chunk, counter| runs::set_up(run, chunk, &input, counter));
         self.triangles.clear();
         self.planes.clear();
         self.step_ends.clear();
