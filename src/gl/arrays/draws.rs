@@ -5,7 +5,7 @@
 
 use std::ffi::c_void;
 
-use super::fetch::{Elements, element, fetch};
+use super::fetch::{Elements, element, fetch, places};
 use super::{Array, EDGE_FLAG, INDEX};
 use crate::draw::assembly::{Assembly, Part, PrimitiveType, carry};
 use crate::draw::recorder::{Run, VertexLayout, slots};
@@ -194,14 +194,19 @@ impl Context {
         let layout = VertexLayout { mask, size: self.arrays.sizes };
         let Some((base, vertices)) = self.recorder.begin_vertices(layout, &self.state.current.attributes) else { return };
         let stride: usize = slots(mask).map(|slot| usize::from(layout.size[slot])).sum();
-        let (start, count) = (vertices.len(), elements.count());
-        vertices.resize(start + stride * count as usize, 0.0);
+        let count = elements.count();
+        let words = stride * count as usize;
+        vertices.reserve(words);
         let mut offset = 0;
         for slot in slots(mask) {
+            let array = &self.arrays.slots[slot];
+            assert_eq!(layout.size[slot], array.size, "a layout has the sizes of its arrays");
             // SAFETY: the client promises that the elements are there.
-            unsafe { fetch(&self.arrays.slots[slot], elements, &mut vertices[start..], offset, stride) };
-            offset += usize::from(layout.size[slot]);
+            unsafe { fetch(array, elements, &mut vertices.spare_capacity_mut()[..words], offset, stride) };
+            offset += usize::from(array.size);
         }
+        // SAFETY: of every vertex each slot's array has written as many words as the layout has there.
+        unsafe { vertices.set_len(vertices.len() + words) };
         self.recorder.finish_vertices(count);
         let (out, draw) = self.recorder.primitives();
         let assembly = Assembly { mode, part, decomposition, draw };
@@ -227,7 +232,7 @@ impl Context {
         }
         let mut values = vec![0.0; elements.count() as usize];
         // SAFETY: the client promises that the elements are there.
-        unsafe { fetch(array, elements, &mut values, 0, 1) };
+        unsafe { fetch(array, elements, places(&mut values), 0, 1) };
         Some(values.into_iter().map(|value| value != 0.0).collect())
     }
 
@@ -239,7 +244,7 @@ impl Context {
         let mut data = vec![[0.0, 0.0, 0.0, 1.0]; count * stride];
         for (rank, slot) in slots(mask).enumerate() {
             // SAFETY: the client promises that the elements are there.
-            unsafe { fetch(&self.arrays.slots[slot], elements, data.as_flattened_mut(), rank * 4, stride * 4) };
+            unsafe { fetch(&self.arrays.slots[slot], elements, places(data.as_flattened_mut()), rank * 4, stride * 4) };
         }
         let mut edge_flags = self.array_edge_flags(elements);
         let mut count = count as u32;

@@ -1,5 +1,7 @@
 //! Reading client arrays: components of any type become f32 words of a vertex layout.
 
+use std::mem::MaybeUninit;
+
 use super::{Array, ComponentType};
 
 /// How a component becomes an f32. Signed normalised ones map 0 to 0, as later versions of the specification have it (4.2,
@@ -51,11 +53,11 @@ impl Elements<'_> {
     }
 }
 
-/// Reads elements of an array into `out`: element k to `out[offset + k * stride ..][..size]`.
+/// Reads elements of an array into `out`: element k to `out[offset + k * stride ..][..size]`, where nothing need have been before.
 ///
 /// # Safety
 /// The array's elements must be readable, as a client promises by drawing from them.
-pub(super) unsafe fn fetch(array: &Array, elements: Elements, out: &mut [f32], offset: usize, stride: usize) {
+pub(super) unsafe fn fetch(array: &Array, elements: Elements, out: &mut [MaybeUninit<f32>], offset: usize, stride: usize) {
     // SAFETY: passed on.
     unsafe {
         match array.ty {
@@ -73,7 +75,7 @@ pub(super) unsafe fn fetch(array: &Array, elements: Elements, out: &mut [f32], o
 
 /// # Safety
 /// See [`fetch`].
-unsafe fn by_size<T: Component>(array: &Array, elements: Elements, out: &mut [f32], offset: usize, stride: usize) {
+unsafe fn by_size<T: Component>(array: &Array, elements: Elements, out: &mut [MaybeUninit<f32>], offset: usize, stride: usize) {
     // SAFETY: passed on.
     unsafe {
         match (array.size, array.normalized) {
@@ -92,18 +94,18 @@ unsafe fn by_size<T: Component>(array: &Array, elements: Elements, out: &mut [f3
 unsafe fn run<T: Component, const N: usize, const NORMALIZED: bool>(
     array: &Array,
     elements: Elements,
-    out: &mut [f32],
+    out: &mut [MaybeUninit<f32>],
     offset: usize,
     stride: usize,
 ) {
     let step = array.step();
     let at = |index: u32| array.pointer.wrapping_add(index as usize * step);
-    let read = |element: *const u8, place: &mut [f32]| {
+    let read = |element: *const u8, place: &mut [MaybeUninit<f32>]| {
         // SAFETY: the client promises that the element is there; it need not be aligned.
         let values = unsafe { element.cast::<[T; N]>().read_unaligned() };
         let place = &mut place[offset..offset + N];
         for k in 0..N {
-            place[k] = if NORMALIZED { values[k].normalized() } else { values[k].plain() };
+            place[k].write(if NORMALIZED { values[k].normalized() } else { values[k].plain() });
         }
     };
     let places = out.chunks_mut(stride);
@@ -119,6 +121,12 @@ unsafe fn run<T: Component, const N: usize, const NORMALIZED: bool>(
     }
 }
 
+/// Numbers as places to write to.
+pub(super) fn places(numbers: &mut [f32]) -> &mut [MaybeUninit<f32>] {
+    // SAFETY: the layout is the same, and whoever writes to such a place writes a number.
+    unsafe { std::slice::from_raw_parts_mut(numbers.as_mut_ptr().cast(), numbers.len()) }
+}
+
 /// One element as an attribute: absent components read as (0, 0, 0, 1).
 ///
 /// # Safety
@@ -126,7 +134,7 @@ unsafe fn run<T: Component, const N: usize, const NORMALIZED: bool>(
 pub(super) unsafe fn element(array: &Array, index: u32) -> [f32; 4] {
     let mut value = [0.0, 0.0, 0.0, 1.0];
     // SAFETY: passed on.
-    unsafe { fetch(array, Elements::Range { first: index, count: 1 }, &mut value, 0, 4) };
+    unsafe { fetch(array, Elements::Range { first: index, count: 1 }, places(&mut value), 0, 4) };
     value
 }
 
@@ -140,7 +148,7 @@ mod tests {
         let array = Array { enabled: true, size: 3, ty: ComponentType::UnsignedByte, stride: 4, pointer: bytes.as_ptr(), normalized: true };
         let mut out = [7.0; 10];
         // SAFETY: two elements lie in `bytes`.
-        unsafe { fetch(&array, Elements::List(&[1, 0]), &mut out, 1, 5) };
+        unsafe { fetch(&array, Elements::List(&[1, 0]), places(&mut out), 1, 5) };
         // Bytes are scaled by the reciprocal, as llvmpipe fetches them: not always the float nearest to c / 255.
         let scaled = |c: f32| c * (1.0 / 255.0);
         assert_eq!(out, [7.0, 0.0, 1.0, scaled(102.0), 7.0, 7.0, 1.0, 0.0, scaled(51.0), 7.0]);
