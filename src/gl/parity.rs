@@ -119,7 +119,8 @@ mod tests {
 
     #[test]
     fn blue_and_alpha_come_from_the_image() {
-        let mut state = PixelState { map_color: true, ..PixelState::default() };
+        let mut state = crate::gl::state::State::default().pixel;
+        state.map_color = true;
         state.maps[R_TO_R] = vec![0.25, 0.75];
         state.maps[R_TO_R + 1] = vec![0.5];
         // What OSMesa of Mesa 22.3 made of these eight pixels, with maps of other sizes for red and green.
