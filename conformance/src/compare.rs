@@ -100,11 +100,22 @@ fn draw(runner: &mut Runner, scene: &str) -> Result<Frame, String> {
     frame
 }
 
-fn save(frame: &Frame, reference: &Frame, images: &Path, label: &str, scene: &str) -> Option<[String; 2]> {
+/// Writes a result's picture and its difference from the reference's, where there are both.
+fn save(frame: &Result<Frame, String>, reference: &Result<Frame, String>, images: &Path, label: &str, scene: &str) -> Option<[String; 2]> {
+    let (Ok(frame), Ok(reference)) = (frame, reference) else { return None };
     let [picture, difference] = [format!("{scene}-{label}.png"), format!("{scene}-{label}-difference.png")];
     frame.save(&images.join(&picture)).ok()?;
     save_difference(reference, frame, &images.join(&difference)).ok()?;
     Some([picture, difference].map(|name| format!("images/{name}")))
+}
+
+/// How a result differs from another one, or why there is nothing to compare.
+fn difference(other: &Result<Frame, String>, frame: &Result<Frame, String>) -> Result<Difference, String> {
+    match (other, frame) {
+        (Ok(r), Ok(t)) => Ok(compare(r, t)),
+        (_, Err(why)) => Err(why.clone()),
+        (Err(why), _) => Err(format!("nothing to compare with: {why}")),
+    }
 }
 
 struct Session {
@@ -137,21 +148,13 @@ impl Session {
         let mut cpu: Option<Result<Frame, String>> = None;
         for runner in &mut self.tepui {
             let frame = draw(runner, name);
-            let difference = |other: &Result<Frame, String>| match (other, &frame) {
-                (Ok(r), Ok(t)) => Ok(compare(r, t)),
-                (_, Err(why)) => Err(why.clone()),
-                (Err(why), _) => Err(format!("nothing to compare with: {why}")),
-            };
-            let against_reference = difference(&reference);
-            let against_cpu = (runner.label == "gpu").then(|| cpu.as_ref().map(difference)).flatten();
+            let against_reference = difference(&reference, &frame);
+            let against_cpu = (runner.label == "gpu").then(|| cpu.as_ref().map(|cpu| difference(cpu, &frame))).flatten();
             let verdict = match &against_cpu {
                 Some(outcome) => self.expectations.judge(name, &scene.class, Device::Gpu, outcome),
                 None => self.expectations.judge(name, &scene.class, Device::Cpu, &against_reference),
             };
-            let pictures = match (&reference, &frame) {
-                (Ok(r), Ok(t)) => save(t, r, &self.images, runner.label, name),
-                _ => None,
-            };
+            let pictures = save(&frame, &reference, &self.images, runner.label, name);
             row.sides.push(Side { device: runner.label, against_reference, against_cpu, verdict, times: None, pictures });
             if cpu.is_none() {
                 cpu = Some(frame);
@@ -159,15 +162,9 @@ impl Session {
         }
         if let Some(runner) = self.parity.as_mut().filter(|_| self.expectations.departs(name)) {
             let frame = draw(runner, name);
-            let against_reference = match (&reference, &frame) {
-                (Ok(r), Ok(t)) => Ok(compare(r, t)),
-                (Err(why), _) | (_, Err(why)) => Err(why.clone()),
-            };
+            let against_reference = difference(&reference, &frame);
             let verdict = self.expectations.judge(name, &scene.class, Device::Parity, &against_reference);
-            let pictures = match (&reference, &frame) {
-                (Ok(r), Ok(t)) => save(t, r, &self.images, runner.label, name),
-                _ => None,
-            };
+            let pictures = save(&frame, &reference, &self.images, runner.label, name);
             row.parity = Some(Side { device: runner.label, against_reference, against_cpu: None, verdict, times: None, pictures });
         }
         if self.frames > 0 && scene.flags & TEXT_ONLY == 0 {

@@ -123,7 +123,7 @@ mod tests {
         state.map_color = true;
         state.maps[R_TO_R] = vec![0.25, 0.75];
         state.maps[R_TO_R + 1] = vec![0.5];
-        // What OSMesa of Mesa 22.3 made of these eight pixels, with maps of other sizes for red and green.
+        // Blue and alpha as OSMesa of Mesa 22.3 has them: of a row of six, blue chooses the pixel.
         let image = [[10, 20, 30, 40], [200, 20, 30, 40], [10, 200, 30, 40], [10, 20, 200, 40], [128, 64, 32, 16], [0, 0, 255, 255]];
         let groups = Groups::Rgba8(image.map(u32::from_le_bytes).to_vec());
         let Groups::Rgba(mapped) = mapped_as_osmesa(&state, [6, 1], groups) else { panic!("colours") };
