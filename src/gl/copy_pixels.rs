@@ -3,6 +3,8 @@
 use super::Context;
 use super::enums::*;
 use super::framebuffer::Rect;
+use super::framebuffer_object::Aspect;
+use super::parity::{Parity, copied_depth};
 use super::pixel_format::Groups;
 
 impl Context {
@@ -54,6 +56,10 @@ impl Context {
             self.state.current.raster.position[k] = position[k].round() + skipped as f32 * self.state.pixel.zoom[k];
         }
         if kind == GL_DEPTH {
+            let depths = match (self.config.parity, self.look_at_pixels(Aspect::Depth, |pixels| pixels.format.depth)) {
+                (Parity::Osmesa, Some(format)) => depths.into_iter().map(|z| copied_depth(format, z)).collect(),
+                _ => depths,
+            };
             self.draw_groups(size, Groups::Depth(depths));
         } else {
             self.draw_stencil(size, indices);

@@ -4,14 +4,19 @@
 //! - glDrawPixels with GL_MAP_COLOR: Mesa's shader looks blue and alpha up in the image instead of the maps ([`mapped_as_osmesa`]);
 //! - GL_POINT_SMOOTH: a disc of whole pixels ([`Smooth::Disc`](crate::program::fixed::Smooth));
 //! - edge flags count in strips and fans too ([`Assembly`](crate::draw::assembly::Assembly));
+//! - the size of points is attenuated by the distance along z, not by that from the eye;
+//! - glCopyPixels carries depths through single precision ([`copied_depth`]);
+//! - glEvalMesh adds up steps and does not meet the end of the domain exactly;
 //! - user clip planes are taken to clip space, where distances lose precision when far / near is large
 //!   ([`clip_plane`](super::clip_plane)).
 
 use glam::{Mat4, Vec4};
 
+use super::framebuffer::depth_word;
 use super::pixel_format::Groups;
 use super::pixel_transfer::R_TO_R;
 use super::state::PixelState;
+use crate::device::DepthFormat;
 
 /// Whose rule holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -57,6 +62,17 @@ pub(super) fn mapped_as_osmesa(state: &PixelState, size: [usize; 2], groups: Gro
         [map(0, r), map(1, g), b, a]
     });
     Groups::Rgba(mapped.collect())
+}
+
+/// A depth that glCopyPixels carries. With 24 bits OSMesa's shaders take it from a texture in single precision, twice: into a
+/// texture of its own, and into the window.
+pub(super) fn copied_depth(format: DepthFormat, depth: f64) -> f64 {
+    const MAX: f32 = ((1 << 24) - 1) as f32;
+    if format != DepthFormat::D24 {
+        return depth;
+    }
+    let carry = |z: f32| (z * (1.0 / MAX) * MAX).round_ties_even();
+    f64::from(carry(carry(depth_word(format, depth) as f32))) / f64::from(MAX)
 }
 
 /// A plane (a row vector) times the inverse of a matrix, in Mesa's single precision and order.
@@ -132,6 +148,24 @@ mod tests {
         assert_eq!(bytes[1], [191, 128, 10, 20]);
         assert_eq!(bytes[3], [64, 128, 128, 64]);
         assert_eq!(bytes[5], [64, 128, 0, 0]);
+    }
+
+    #[test]
+    fn depths_are_copied_as_osmesa_copies_them() {
+        let copied = |word: u32| depth_word(DepthFormat::D24, copied_depth(DepthFormat::D24, DepthFormat::D24.depth(word)));
+        // Of OSMesa of Mesa 22.3.
+        let pairs = [
+            (0, 0),
+            (0x50_0001, 0x50_0001),
+            (0x60_0000, 0x60_0000),
+            (0x60_0001, 0x60_0002),
+            (0xbf_ffff, 0xbf_ffff),
+            (0xff_7fff, 0xff_8001),
+        ];
+        for (from, to) in pairs {
+            assert_eq!(copied(from), to, "{from:#x}");
+        }
+        assert_eq!(copied_depth(DepthFormat::F32, 0.7), 0.7);
     }
 
     #[test]

@@ -86,6 +86,7 @@ impl Context {
             planes_in_clip_space: self.config.parity == Parity::Osmesa,
             clip_planes: s.transform.clip_enabled.iter().filter(|e| **e).count() as u8,
             point_attenuation: points && s.point.attenuation != [1.0, 0.0, 0.0],
+            point_distance_along_z: self.config.parity == Parity::Osmesa,
         }
     }
 

@@ -1,8 +1,8 @@
 //! EvalCoord, EvalPoint and EvalMesh.
 
 use super::bezier::Tangents;
-use crate::gl::Context;
 use crate::gl::enums::*;
+use crate::gl::{Context, Parity};
 
 /// Attribute slots (`layout::ATTRIBUTES`).
 const NORMAL: usize = 2;
@@ -111,7 +111,7 @@ impl Context {
             return self.set_error(GL_OUT_OF_MEMORY, "glEvalMesh1");
         }
         let [u1, u2] = self.state.eval.grid1_domain;
-        let steps = Steps::new(i1, i2, self.state.eval.grid1_divisions, u1, u2);
+        let steps = Steps::new(i1, i2, self.state.eval.grid1_divisions, u1, u2, self.config.parity);
         self.begin(primitive);
         steps.for_each(|u| self.eval_coord1(u));
         self.end();
@@ -134,7 +134,8 @@ impl Context {
         }
         let eval = &self.state.eval;
         let ([u1, u2, v1, v2], [un, vn]) = (eval.grid2_domain, eval.grid2_divisions);
-        let (us, vs) = (Steps::new(i1, i2, un, u1, u2), Steps::new(j1, j2, vn, v1, v2));
+        let parity = self.config.parity;
+        let (us, vs) = (Steps::new(i1, i2, un, u1, u2, parity), Steps::new(j1, j2, vn, v1, v2, parity));
         match mode {
             GL_POINT => {
                 self.begin(GL_POINTS);
@@ -177,25 +178,27 @@ struct Steps {
     n: i64,
     value: f32,
     step: f32,
-    end: f32,
+    /// The end of the domain, where it is met exactly.
+    end: Option<f32>,
 }
 
 impl Steps {
-    fn new(first: i32, last: i32, n: i32, u1: f32, u2: f32) -> Steps {
+    fn new(first: i32, last: i32, n: i32, u1: f32, u2: f32, parity: Parity) -> Steps {
         let step = (u2 - u1) / n as f32;
-        Steps { next: first.into(), last: last.into(), n: n.into(), value: u1 + first as f32 * step, step, end: u2 }
+        let end = (parity == Parity::Specification).then_some(u2);
+        Steps { next: first.into(), last: last.into(), n: n.into(), value: u1 + first as f32 * step, step, end }
     }
 }
 
 impl Iterator for Steps {
     type Item = f32;
 
-    /// Adds step after step, as OSMesa does; the end of the domain is met exactly (5.1).
+    /// Adds step after step, as OSMesa does; the end of the domain is met exactly (5.1), unless OSMesa's rules hold.
     fn next(&mut self) -> Option<f32> {
         if self.next > self.last {
             return None;
         }
-        let value = if self.next == self.n { self.end } else { self.value };
+        let value = self.end.filter(|_| self.next == self.n).unwrap_or(self.value);
         self.next += 1;
         self.value += self.step;
         Some(value)

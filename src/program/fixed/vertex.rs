@@ -54,6 +54,8 @@ pub struct VertexKey {
     pub planes_in_clip_space: bool,
     /// Distance attenuation of the point size.
     pub point_attenuation: bool,
+    /// Its distance is that along z, instead of that from the eye.
+    pub point_distance_along_z: bool,
 }
 
 /// Writes the program of a key.
@@ -148,7 +150,7 @@ pub(super) fn generate(key: &VertexKey) -> FixedProgram {
     }
     if key.point_attenuation {
         let (size, factors) = (t.slot(Slot::PointSize), t.slot(Slot::PointAttenuation));
-        t.line("let distance = length(eye.xyz);");
+        t.line(if key.point_distance_along_z { "let distance = abs(eye.z);" } else { "let distance = length(eye.xyz);" });
         t.line(format!("let attenuation = ({factors}.x + {factors}.y * distance) + {factors}.z * (distance * distance);"));
         let value = format!("vec4<f32>(clamp({size}.x * inverse_root(attenuation), {size}.y, {size}.z), 0.0, 0.0, 1.0)");
         write(&mut t, &mut outputs, Output::PointSize, &value);
