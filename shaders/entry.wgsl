@@ -22,27 +22,34 @@ var state: TpState;
 //#insert PLANES
 //#if SAMPLES
 // From the centres to the samples: edge functions, and the place where depth is evaluated.
+//#if CENTRES
 let several = (flags & TP_MULTISAMPLE) != 0u;
+//#endif
 let free = WORD(te, 9);
 let low_bits = vec3<i32>(vec3<u32>(
     ((free >> 6u) & 3u) | (((free >> 14u) & 3u) << 2u),
     ((free >> 22u) & 3u) | ((free >> 30u) << 2u),
     (WORD(te, 10) & 3u) | ((draw_and_flags >> 30u) << 2u)));
 //#each $
+//#if CENTRES
 let edge_$ = select(vec3<i32>(0), (low_bits + a * TP_SAMPLE_X$ + b * TP_SAMPLE_Y$) >> vec3<u32>(4u), several);
+//#else
+let edge_$ = (low_bits + a * TP_SAMPLE_X$ + b * TP_SAMPLE_Y$) >> vec3<u32>(4u);
+//#endif
 //#end
 //#if REJECTS
-var edge_most = edge_0;
-//#each $
-edge_most = max(edge_most, edge_$);
-//#end
 // How far the depth of any sample may lie below its pixel's, with all roundings.
 let depth_slack = (abs(p1) + abs(p2)) * 0.5 + (abs(p0) + abs(p1) * x + abs(p2) * f32(origin.y + 8u)) * 0x1p-20 + 0x1p-21;
 //#endif
 //#if SAMPLE_DEPTH
 //#each $
+//#if CENTRES
 let zx_$ = tp_fma(x + select(0.0, f32(TP_SAMPLE_X$) / 16.0, several), p1, p0);
 let zy_$ = select(0.0, f32(TP_SAMPLE_Y$) / 16.0, several);
+//#else
+let zx_$ = tp_fma(x + f32(TP_SAMPLE_X$) / 16.0, p1, p0);
+const zy_$ = f32(TP_SAMPLE_Y$) / 16.0;
+//#endif
 //#end
 //#endif
 //#endif

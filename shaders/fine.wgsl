@@ -27,7 +27,12 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     if (slot >= tp_list(2u)) {
         return;
     }
-    let work = tp_list(tp.work_base + slot);
+    // Where the clear before the segment is the segment's to do, all tiles are drawn; else those that have any triangle.
+    let clears = (tp.fresh & TP_FRESH_CLEARS) != 0u;
+    var work = slot;
+    if (!clears) {
+        work = tp_list(tp.work_base + slot);
+    }
     let bin = work >> 6u;
     let tile = work & 63u;
     let origin = vec2<u32>((bin % tp.bins.x) * 64u + (tile & 7u) * 8u, (bin / tp.bins.x) * 64u + (tile >> 3u) * 8u);
@@ -37,14 +42,11 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     var block = 0u;
     var bits = 0u;
     loop {
-        bits = tp_list(tp.tile_base + (first_block + block) * 64u + tile);
-        continuing {
-            block++;
-            break if bits != 0u || block >= blocks;
+        if (bits != 0u || block >= blocks) {
+            break;
         }
-    }
-    if (bits == 0u) {
-        return;
+        bits = tp_list(tp.tile_base + (first_block + block) * 64u + tile);
+        block++;
     }
 
     let column = lane & 7u;
@@ -59,8 +61,9 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     {
         var r = 0;
         loop {
-            let py = min(origin.y + u32(first_row + r * TP_ROW_STEP), tp.size.y - 1u);
-            let at = py * tp.size.x + min(px, tp.size.x - 1u);
+            let row = origin.y + u32(first_row + r * TP_ROW_STEP);
+            let at = min(row, tp.size.y - 1u) * tp.size.x + min(px, tp.size.x - 1u);
+            dirty |= select(0u, 1u << u32(r), clears && row < tp.size.y && px < tp.size.x);
 //#each $
             tp_pixels[r * i32(TP_SAMPLES) + $] = tp_first_pixel(at + $u * plane, tp.fresh);
 //#if DEPTH_BUFFER
@@ -81,68 +84,74 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     }
 
     var entry = (first_block + block - 1u) * 32u + countTrailingZeros(bits);
-    var more = true;
-    // The next entry is loaded while this one is drawn.
-    var next_0 = tp_lists[(tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u];
-    var next_1 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 1u];
-    var next_2 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 2u];
-    loop {
-        let te_0 = next_0;
-        let te_1 = next_1;
-        let te_2 = next_2;
-        // To the next triangle of this tile.
-        bits &= bits - 1u;
+    var more = bits != 0u;
+    if (more) {
+        // The next entry is loaded while this one is drawn.
+        var next_0 = tp_lists[(tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u];
+        var next_1 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 1u];
+        var next_2 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 2u];
         loop {
-            if (bits != 0u || block >= blocks) {
-                break;
+            let te_0 = next_0;
+            let te_1 = next_1;
+            let te_2 = next_2;
+            // To the next triangle of this tile.
+            bits &= bits - 1u;
+            loop {
+                if (bits != 0u || block >= blocks) {
+                    break;
+                }
+                bits = tp_list(tp.tile_base + (first_block + block) * 64u + tile);
+                block++;
             }
-            bits = tp_list(tp.tile_base + (first_block + block) * 64u + tile);
-            block++;
-        }
-        more = bits != 0u;
-        entry = (first_block + block - 1u) * 32u + countTrailingZeros(bits);
-        if (more) {
-            next_0 = tp_lists[(tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u];
-            next_1 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 1u];
-            next_2 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 2u];
-        }
-        let draw_and_flags = WORD(te, 11);
-        let flags = draw_and_flags >> 24u;
-        // The draw's states.
-        let draw = tp.draws + (draw_and_flags & 0xffffffu) * TP_DRAW_WORDS;
-        //#load sa tp_records draw
+            more = bits != 0u;
+            entry = (first_block + block - 1u) * 32u + countTrailingZeros(bits);
+            if (more) {
+                next_0 = tp_lists[(tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u];
+                next_1 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 1u];
+                next_2 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 2u];
+            }
+            let draw_and_flags = WORD(te, 11);
+            let flags = draw_and_flags >> 24u;
+            // The draw's states.
+            let draw = tp.draws + (draw_and_flags & 0xffffffu) * TP_DRAW_WORDS;
+            //#load sa tp_records draw
 //#if STATE_SECOND
-        //#load sb tp_records draw + 8u
+            //#load sb tp_records draw + 8u
 //#endif
 //#if STENCIL_TEST
-        //#load sc tp_records draw + select(24u, 16u, (flags & TP_FRONT) != 0u)
+            //#load sc tp_records draw + select(24u, 16u, (flags & TP_FRONT) != 0u)
 //#endif
-        //#include entry
-        let e0 = c + a * local_x + b * (local_top + first_row);
-        // A constant number of rounds: pixels stay in registers.
-        for (var r = 0; r < TP_ROWS; r++) {
-            let row = first_row + r * TP_ROW_STEP;
-            let e = e0 + b * (r * TP_ROW_STEP);
-            let py = i32(origin.y) + row;
-            var allowed = true;
+            //#include entry
+            let e0 = c + a * local_x + b * (local_top + first_row);
+            // A constant number of rounds: pixels stay in registers.
+            for (var r = 0; r < TP_ROWS; r++) {
+                let row = first_row + r * TP_ROW_STEP;
+                let e = e0 + b * (r * TP_ROW_STEP);
+                let py = i32(origin.y) + row;
+                var allowed = true;
 //#if CUT
-            allowed = in_columns && row >= low && row <= high;
+                allowed = in_columns && row >= low && row <= high;
 //#endif
 //#if STIPPLE
-            allowed = allowed && tp_stipple(state, flags, px, u32(py));
+                allowed = allowed && tp_stipple(state, flags, px, u32(py));
 //#endif
 //#if SAMPLES
-            //#include samples
+                //#include samples
 //#else
-            let inside = allowed && (e.x | e.y | e.z) >= 0;
-            //#include fragment
+                let inside = allowed && (e.x | e.y | e.z) >= 0;
+                //#include fragment
 //#endif
-        }
-        continuing {
-            break if !more;
+            }
+            continuing {
+                break if !more;
+            }
         }
     }
 
+//#if DEPTH_CHANGES
+//#else
+    let clears_depth = clears && (tp.fresh & TP_FRESH_DEPTH) != 0u;
+//#endif
     {
         var r = 0;
         loop {
@@ -153,6 +162,10 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
                 tp_store_pixel(at + $u * plane, tp_pixels[r * i32(TP_SAMPLES) + $]);
 //#if DEPTH_CHANGES
                 tp_depth[at + $u * plane] = tp_depths[r * i32(TP_SAMPLES) + $];
+//#else
+                if (clears_depth) {
+                    tp_depth[at + $u * plane] = tp.clear_depth;
+                }
 //#endif
 //#end
             }

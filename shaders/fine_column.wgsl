@@ -7,10 +7,6 @@ const TP_ROWS = 8;
 
 // A pixel's samples one after the other.
 var<private> tp_pixels: array<TpPixel, TP_ROWS * i32(TP_SAMPLES)>;
-//#if REJECTS
-// The greatest depth of each pixel's samples.
-var<private> tp_furthest: array<u32, TP_ROWS>;
-//#endif
 //#if DEPTH_BUFFER
 var<private> tp_depths: array<u32, TP_ROWS * i32(TP_SAMPLES)>;
 //#endif
@@ -130,12 +126,6 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
             tp_depths[r * i32(TP_SAMPLES) + $] = tp_first_depth(at + $u * plane, fresh);
 //#endif
 //#end
-//#if REJECTS
-            tp_furthest[r] = 0u;
-//#each $
-            tp_furthest[r] = max(tp_furthest[r], tp_depths[r * i32(TP_SAMPLES) + $] & TP_DEPTH_MASK);
-//#end
-//#endif
             continuing {
                 r++;
                 break if r >= TP_ROWS;

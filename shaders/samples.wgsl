@@ -2,8 +2,6 @@
             // src/raster/samples.rs. A bit a sample in all masks.
             var wanted = allowed;
 //#if REJECTS
-            let most = e + edge_most;
-            wanted = wanted && (most.x | most.y | most.z) >= 0;
             // A pixel all of whose samples are nearer than the triangle is passed by.
 //#if OFFSET
             let nearest = tp_fma(f32(py), p2, tp_fma(x, p1, p0)) + p6 - depth_slack;
@@ -12,7 +10,11 @@
 //#endif
             wanted = wanted && tp_quantise(state, nearest) <= tp_furthest[r] + 1u;
 //#endif
+//#if REJECTS_LATE
+            {
+//#else
             if (wanted) {
+//#endif
             var cover = 0u;
 //#each $
             {
@@ -22,6 +24,9 @@
 //#end
 //#if DROPS_SAMPLES
             cover &= ~WORD(sb, 6);
+//#endif
+//#if REJECTS_LATE
+            cover = select(0u, cover, wanted);
 //#endif
             if (cover != 0u) {
                 let y = f32(py);

@@ -75,13 +75,14 @@ fn tp_main(@builtin(local_invocation_index) lane: u32) {
         tp_indirect[0] = min(blocks, 32768u);
         tp_indirect[1] = (blocks + 32767u) / 32768u;
         tp_indirect[2] = 1u;
-        // The active stage counts the fine stage's workgroups: here, and in the third word of the lists.
-        tp_indirect[TP_FINE_DISPATCH] = 0u;
-        tp_indirect[TP_FINE_DISPATCH + 1u] = 1u;
+        // The active stage counts the fine stage's workgroups, here and in the third word of the lists, unless they are all tiles.
+        let tiles = select(0u, bins * 64u, (tp.fresh & TP_FRESH_CLEARS) != 0u && !failed);
+        tp_indirect[TP_FINE_DISPATCH] = min(tiles, 32768u);
+        tp_indirect[TP_FINE_DISPATCH + 1u] = max((tiles + 32767u) / 32768u, 1u);
         tp_indirect[TP_FINE_DISPATCH + 2u] = 1u;
         tp_lists[0] = total.x;
         tp_lists[1] = drawn;
-        tp_lists[2] = 0u;
+        tp_lists[2] = tiles;
 //#if ROUNDS
         // The first block of the round, and the blocks of the longest list.
         tp_lists[3] = 0u;

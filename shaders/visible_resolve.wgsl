@@ -15,11 +15,16 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     let py = i32(row);
     let at = row * tp.size.x + px;
     let key = tp_keys[at];
-    if ((key.x & key.y) == 0xffffffffu) {
+    let offered = (key.x & key.y) != 0xffffffffu;
+    // The clear before the segment may be the segment's to do.
+    let clears = (tp.fresh & TP_FRESH_CLEARS) != 0u;
+    if (!offered && !clears) {
         return;
     }
-    tp_keys[at] = vec2<u32>(0xffffffffu);
-    let old_depth = tp_depth[at];
+    if (offered) {
+        tp_keys[at] = vec2<u32>(0xffffffffu);
+    }
+    let old_depth = tp_first_depth(at, tp.fresh);
     let depth = key.y >> 8u;
 //#if LEQUAL
     let order = ~key;
@@ -28,7 +33,16 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     let order = key;
     let passes = depth < (old_depth & 0xffffffu);
 //#endif
-    if (!passes || tp_indirect[TP_FAILED] != 0u) {
+    if (tp_indirect[TP_FAILED] != 0u) {
+        return;
+    }
+    if (!offered || !passes) {
+        if (clears && (tp.fresh & TP_FRESH_COLOR) != 0u) {
+            tp_store_pixel(at, tp_pixel_of(tp.clear_color));
+        }
+        if (clears && (tp.fresh & TP_FRESH_DEPTH) != 0u) {
+            tp_depth[at] = tp.clear_depth;
+        }
         return;
     }
     tp_depth[at] = (old_depth & 0xff000000u) | depth;
@@ -71,5 +85,5 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     var color = vec4<f32>(0.0);
     //#insert DEPTH
     //#insert SHADE
-    tp_store_pixel(at, tp_merge(state, tp_load_pixel(at), color));
+    tp_store_pixel(at, tp_merge(state, tp_first_pixel(at, tp.fresh), color));
 }

@@ -29,6 +29,8 @@ pub const LIST_HEAD: u32 = 16;
 pub enum Action {
     /// Clear; its parameters are complete.
     Clear(Params),
+    /// A clear of all pixels that the segment behind it does.
+    Absorbed,
     /// Cull, set up and clip the primitives of the segments that follow; its parameters, and what the kernels contain (`stage::front`).
     Front(FrontParams, u32),
     /// Draw a segment by lists.
@@ -143,32 +145,48 @@ fn clear_params(clear: &Clear, mut params: Params, format: SurfaceFormat) -> Opt
     (params.clear_mask != [0; 4] || params.clear_depth_mask != 0).then_some(params)
 }
 
-/// Tells the first segment behind clears of the whole surface what they left.
-fn mark_fresh(actions: &mut [(Place, Action)], format: SurfaceFormat) {
+/// Tells the first segment behind clears of the whole surface what they left. Where `absorbs`, such a segment writes every pixel anyway and
+/// does the clears itself: should it fail, the batch goes on at the first of them.
+fn mark_fresh(actions: &mut [(Place, Action)], format: SurfaceFormat, absorbs: bool) {
     let wanted = format.depth.mask() | if format.stencil { u32::MAX } else { 0 };
     let mut known = Params::default();
-    for (_, action) in actions {
-        match action {
+    // Clears since the last segment, as long as all of them are whole.
+    let mut whole_clears: Vec<usize> = Vec::new();
+    for k in 0..actions.len() {
+        let params = match &mut actions[k].1 {
             Action::Clear(clear) => {
                 let all = clear.clear_min == [0; 2] && clear.clear_max == clear.size.map(|s| s as i32);
-                if clear.clear_mask != [0; 4] {
-                    let whole = all && clear.clear_mask[..format.color.words()].iter().all(|&m| m == u32::MAX);
-                    known.fresh = known.fresh & !fresh::COLOR | if whole { fresh::COLOR } else { 0 };
+                let color = clear.clear_mask[..format.color.words()].iter().all(|&m| m == u32::MAX);
+                let depth = clear.clear_depth_mask & wanted == wanted;
+                let [writes_color, writes_depth] = [clear.clear_mask != [0; 4], clear.clear_depth_mask != 0];
+                if writes_color {
+                    known.fresh = known.fresh & !fresh::COLOR | if all && color { fresh::COLOR } else { 0 };
                     known.clear_color = clear.clear_color;
                 }
-                if clear.clear_depth_mask != 0 {
-                    let whole = all && clear.clear_depth_mask & wanted == wanted;
-                    known.fresh = known.fresh & !fresh::DEPTH | if whole { fresh::DEPTH } else { 0 };
+                if writes_depth {
+                    known.fresh = known.fresh & !fresh::DEPTH | if all && depth { fresh::DEPTH } else { 0 };
                     known.clear_depth = clear.clear_depth;
                 }
+                if all && (color || !writes_color) && (depth || !writes_depth) {
+                    whole_clears.push(k);
+                } else {
+                    whole_clears.clear();
+                }
+                continue;
             }
-            Action::Draw(draw) => {
-                (draw.params.fresh, draw.params.clear_color, draw.params.clear_depth) = (known.fresh, known.clear_color, known.clear_depth);
-                known.fresh = 0;
-            }
-            Action::Visible(_) => known.fresh = 0,
-            Action::Front(..) => {}
+            Action::Draw(draw) => &mut draw.params,
+            Action::Visible(visible) => &mut visible.params,
+            Action::Front(..) | Action::Absorbed => continue,
+        };
+        (params.fresh, params.clear_color, params.clear_depth) = (known.fresh, known.clear_color, known.clear_depth);
+        known.fresh = 0;
+        if let (Some(&first), true) = (whole_clears.first(), absorbs) {
+            params.fresh |= fresh::CLEARS;
+            let place = actions[first].0;
+            actions[first..=k].iter_mut().for_each(|action| action.0 = place);
+            whole_clears.iter().for_each(|&clear| actions[clear].1 = Action::Absorbed);
         }
+        whole_clears.clear();
     }
 }
 
@@ -292,7 +310,7 @@ impl Planner<'_> {
             close(&mut plan, &mut open, end);
             start = end;
         }
-        mark_fresh(&mut plan.actions, format);
+        mark_fresh(&mut plan.actions, format, self.shape.vectors());
         plan
     }
 
@@ -368,7 +386,7 @@ impl Planner<'_> {
             }
         }
         slices.close(&mut plan);
-        mark_fresh(&mut plan.actions, self.format);
+        mark_fresh(&mut plan.actions, self.format, self.shape.vectors());
         (plan, slices.tables)
     }
 }

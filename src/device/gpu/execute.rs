@@ -11,7 +11,7 @@ use super::fill::Fill;
 use super::front::FrontRecords;
 use super::host_front::HostFront;
 use super::kernels::Kernels;
-use super::params::{FEW_TRIANGLES, FrontParams, Params, SEGMENT_WORDS, Status, indirect};
+use super::params::{FEW_TRIANGLES, FrontParams, Params, SEGMENT_WORDS, Status, fresh, indirect};
 use super::profile::{Profile, StageTime};
 use super::room::Room;
 use super::stage::{CLEAR_ROWS, Stage, VISIBLE_LANES, Visible, emit_lanes};
@@ -375,6 +375,7 @@ impl Executor {
         let mut bytes = vec![0u8; (programs.len() + plan.actions.len()) * PARAMS_STRIDE];
         let actions = plan.actions.iter().map(|(_, action)| match action {
             Action::Clear(params) => [bytes_of(params), &[]],
+            Action::Absorbed => [&[], &[]] as [&[u8]; 2],
             Action::Draw(draw) => [bytes_of(&draw.params), &[]],
             Action::Front(params, _) => [bytes_of(params), &[]],
             Action::Visible(visible) => [bytes_of(&visible.params), bytes_of(&visible.front)],
@@ -584,6 +585,7 @@ impl Dispatcher<'_> {
                     self.pass.dispatch_workgroups(columns, rows.div_ceil(CLEAR_ROWS), 1);
                     self.mark("clear");
                 }
+                Action::Absorbed => {}
                 Action::Front(p, features) => {
                     self.pass.set_bind_group(0, &self.bound.front, &[offset]);
                     self.stage(Stage::Cull(*features));
@@ -647,8 +649,10 @@ impl Dispatcher<'_> {
         sized(self, supers * emit_lanes(self.kernels.config.shape), 8, "emit");
         self.stage(Stage::Tile(several));
         self.indirect(indirect::TILE, "tile");
-        self.stage(Stage::Active);
-        self.direct(bins, "active");
+        if p.fresh & fresh::CLEARS == 0 {
+            self.stage(Stage::Active);
+            self.direct(bins, "active");
+        }
         let fine = self.kernels.fine(self.gpu, &action.key, &batch.draws[action.draw as usize].fragment_program);
         self.pass.set_pipeline(&fine);
         self.indirect(indirect::FINE, "fine");

@@ -48,6 +48,8 @@ pub mod feature {
     pub const OFFSET: u32 = 1 << 19;
     /// Most triangles fill most rows of their tiles: a column kernel draws all eight.
     pub const TALL: u32 = 1 << 20;
+    /// Some draw takes all samples at the centre of the pixel.
+    pub const CENTRES: u32 = 1 << 21;
 }
 
 /// Blending of a segment.
@@ -162,6 +164,7 @@ impl FineKey {
             ("DEPTH_RANGE", feature::DEPTH_RANGE),
             ("OFFSET", feature::OFFSET),
             ("TALL", feature::TALL),
+            ("CENTRES", feature::CENTRES),
         ] {
             options.flag(name, on(bit));
         }
@@ -174,10 +177,12 @@ impl FineKey {
         // The stencil buffer changes where the depth test fails, but not where the program or the alpha test kills.
         options.flag("NEEDS_KILL_FIRST", on(feature::STENCIL_TEST) && (program.discards || on(feature::ALPHA_TEST)));
         options.flag("TEXTURES", on(feature::SHADES) && !self.textures.is_empty());
-        // Pixels whose samples are all nearer than a triangle are passed by; with fewer samples the look costs more than it saves.
+        // Pixels whose samples are all nearer than a triangle are passed by, on a GPU: where an `if` saves nothing, the look costs. With eight
+        // samples, one branch behind coverage is faster than two.
         let nearer_wins = matches!(self.depth_func, Some(compare::LESS | compare::LEQUAL)) && !on(feature::MIXED);
-        let rejects = self.samples >= 16 && nearer_wins && on(feature::DEPTH_TEST) && !writes_depth && !on(feature::STENCIL_TEST);
+        let rejects = self.samples > 1 && shape.vectors() && nearer_wins && on(feature::DEPTH_TEST) && !writes_depth && !on(feature::STENCIL_TEST);
         options.flag("REJECTS", rejects);
+        options.flag("REJECTS_LATE", rejects && self.samples == 8);
         let mut extra = format!("{}const TP_TEXEL_WORDS = {}u;\n", round_constant(shape), shape.texel_words);
         let float_depth = self.depth_bits == DepthFormat::F32.bits();
         options.flag("FLOAT_DEPTH", float_depth);

@@ -112,6 +112,8 @@ pub mod fresh {
     pub const COLOR: u32 = 1;
     /// Depth and stencil.
     pub const DEPTH: u32 = 2;
+    /// The clears of those were left out: the segment writes every pixel.
+    pub const CLEARS: u32 = 4;
 }
 
 /// Parameters of the front end. Offsets are words of its records, unless said otherwise.

@@ -70,6 +70,7 @@ pub fn needs(batch: &Batch, index: usize, format: SurfaceFormat) -> DrawNeeds {
     set(feature::OFFSET, raster.flags & offsets != 0);
     let several = format.samples > 1;
     set(feature::DROPS_SAMPLES, several && state.dropped_samples != 0);
+    set(feature::CENTRES, several && raster.flags & raster_flags::MULTISAMPLE == 0);
     set(feature::ALPHA_TO_COVERAGE, on(fragment_flags::ALPHA_TO_COVERAGE));
     set(feature::ALPHA_TO_ONE, on(fragment_flags::ALPHA_TO_ONE));
     set(feature::STIPPLE, batch.polygon_stipples.len() > raster.polygon_stipple as usize);

@@ -312,6 +312,7 @@ pub fn record_constants() -> String {
         ("TP_FEW_TRIANGLES", FEW_TRIANGLES),
         ("TP_FRESH_COLOR", fresh::COLOR),
         ("TP_FRESH_DEPTH", fresh::DEPTH),
+        ("TP_FRESH_CLEARS", fresh::CLEARS),
         ("TP_SETUP_DISPATCH", indirect::SETUP),
         ("TP_CLIP_DISPATCH", indirect::CLIP),
         ("TP_FINE_DISPATCH", indirect::FINE),

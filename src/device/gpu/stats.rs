@@ -8,7 +8,7 @@ use super::stage::front;
 use crate::draw::Batch;
 
 /// Names of what a fine kernel may contain.
-const FINE: [(u32, &str); 20] = [
+const FINE: [(u32, &str); 21] = [
     (feature::SHADES, "a fragment program"),
     (feature::COLOR_WRITE, "colour"),
     (feature::DEPTH_TEST, "depth test"),
@@ -29,6 +29,7 @@ const FINE: [(u32, &str); 20] = [
     (feature::ALPHA_TO_COVERAGE, "alpha to coverage"),
     (feature::ALPHA_TO_ONE, "alpha to one"),
     (feature::TALL, "unrolled rows"),
+    (feature::CENTRES, "samples at centres"),
 ];
 
 /// Names of what the kernels of set-up may contain.
@@ -68,11 +69,12 @@ pub fn print(batch: &Batch, plan: &Plan, host: Option<usize>, time: std::time::D
         None => format!("{slices} slices set up by kernels"),
     };
     let mut text = format!(
-        "tepui: gpu: {} primitives, {} draws, {set_up}, {} segments, {} clears, encoded in {:.2} ms\n",
+        "tepui: gpu: {} primitives, {} draws, {set_up}, {} segments, {} clears, {} of them by segments, encoded in {:.2} ms\n",
         batch.primitives.len(),
         batch.draws.len(),
         lists + keys,
-        count(|a| matches!(a, Action::Clear(_))),
+        count(|a| matches!(a, Action::Clear(_) | Action::Absorbed)),
+        count(|a| matches!(a, Action::Absorbed)),
         time.as_secs_f64() * 1e3,
     );
     let (mut fine, mut front_end, mut textures, mut samples) = (0, 0, false, false);
@@ -85,7 +87,7 @@ pub fn print(batch: &Batch, plan: &Plan, host: Option<usize>, time: std::time::D
                 front_end |= features;
                 continue;
             }
-            Action::Clear(_) => continue,
+            Action::Clear(_) | Action::Absorbed => continue,
         };
         fine |= key.features;
         textures |= !key.textures.is_empty();

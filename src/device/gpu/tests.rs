@@ -189,6 +189,11 @@ fn kernels() -> Result<GpuDevice, String> {
     GpuDevice::with(|config| config.shape.host_front = false)
 }
 
+/// A GPU's workgroups.
+fn wide(config: &mut Config, fine_lanes: u32) {
+    (config.shape.fine_lanes, config.shape.list_lanes, config.shape.subgroup8) = (fine_lanes, 64, false);
+}
+
 /// Every way in which the kernels are put together: who sets up, lists or keys, wide and narrow workgroups, buffers that are too small.
 fn all_ways() -> Vec<(&'static str, Result<GpuDevice, String>)> {
     let with = |change: fn(&mut Config)| {
@@ -204,8 +209,29 @@ fn all_ways() -> Vec<(&'static str, Result<GpuDevice, String>)> {
         ("keys", with(|c| c.visible_from = 1)),
         ("keys in little memory", with(|c| (c.visible_from, c.buffer_limit) = (1, 60_000))),
         ("lists in little memory", with(|c| c.buffer_limit = 30_000)),
-        ("32 lanes, no subgroups", with(|c| (c.shape.fine_lanes, c.shape.list_lanes, c.shape.subgroup8) = (32, 64, false))),
-        ("64 lanes, no subgroups", with(|c| (c.shape.fine_lanes, c.shape.list_lanes, c.shape.subgroup8) = (64, 64, false))),
+        ("32 lanes, no subgroups", with(|c| wide(c, 32))),
+        ("64 lanes, no subgroups", with(|c| wide(c, 64))),
+        (
+            "32 lanes in little memory",
+            with(|c| {
+                wide(c, 32);
+                c.buffer_limit = 30_000;
+            }),
+        ),
+        (
+            "keys, 32 lanes",
+            with(|c| {
+                wide(c, 32);
+                c.visible_from = 1;
+            }),
+        ),
+        (
+            "keys, 32 lanes in little memory",
+            with(|c| {
+                wide(c, 32);
+                (c.visible_from, c.buffer_limit) = (1, 60_000);
+            }),
+        ),
         ("8 lanes, no subgroups", with(|c| c.shape.subgroup8 = false)),
         ("32 triangles a round", with(|c| c.shape.round_blocks = 1)),
     ]
@@ -221,6 +247,12 @@ fn compare_executors(batch: &Batch, size: [u32; 2], format: SurfaceFormat) {
 }
 
 fn compare_with(gpu: &GpuDevice, batch: &Batch, size: [u32; 2], format: SurfaceFormat) {
+    let color = compare_clears_with(gpu, batch, size, format);
+    assert!(color.iter().any(|&c| c != color[0]), "something was drawn");
+}
+
+/// The same where nothing need be drawn; returns the colour words.
+fn compare_clears_with(gpu: &GpuDevice, batch: &Batch, size: [u32; 2], format: SurfaceFormat) -> Vec<u32> {
     let a = run(&CpuDevice::new(), batch, size, format);
     let b = run(gpu, batch, size, format);
     for (k, (x, y)) in a.depth_stencil.iter().zip(&b.depth_stencil).enumerate() {
@@ -240,7 +272,7 @@ fn compare_with(gpu: &GpuDevice, batch: &Batch, size: [u32; 2], format: SurfaceF
             assert!(x.abs_diff(y) <= 1, "component {c} at {at:?}: {x} on the CPU, {y} on the GPU");
         }
     }
-    assert!(a.color.iter().any(|&c| c != a.color[0]), "something was drawn");
+    a.color
 }
 
 #[test]
@@ -428,6 +460,58 @@ fn a_surface_keeps_its_pixels_from_batch_to_batch() {
     let (a, b) = (both(&CpuDevice::new()), both(&gpu));
     assert_eq!(a.color, b.color);
     assert_eq!(a.depth_stencil, b.depth_stencil);
+}
+
+#[test]
+fn clears_of_all_kinds_before_segments_agree() {
+    let size = [150, 100];
+    let mut random = Random(12);
+    let all =
+        Clear { min: [0; 2], max: [150, 100], color: [0.7, 0.2, 0.4, 0.6], color_mask: 15, depth: Some(0.6), stencil: Some((9, 255)) };
+    let (none, part) = (Clear { color_mask: 0, depth: None, stencil: None, ..all }, Clear { min: [20, 30], max: [90, 70], ..all });
+    let colour = Clear { color_mask: 15, ..none };
+    let depth = Clear { depth: Some(0.4), stencil: Some((1, 255)), ..none };
+    let clears: [&[Clear]; 9] = [
+        &[all],
+        &[colour],
+        &[depth],
+        &[colour, depth],
+        &[depth, Clear { stencil: None, ..depth }, Clear { color: [0.1; 4], ..colour }],
+        &[all, part],
+        &[Clear { color_mask: 5, ..all }],
+        &[Clear { stencil: Some((255, 15)), ..all }, colour],
+        &[part, all, Clear { color_mask: 0, stencil: None, ..part }],
+    ];
+    let tested = FragmentState { flags: fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE, ..fragment_state() };
+    let blended = FragmentState { flags: fragment_flags::BLEND, ..fragment_state() };
+    // Some tiles have no triangle, some bins neither; the last triangles show nothing at all.
+    let few = |random: &mut Random| soup(random, 12, 0.3, false);
+    let nothing = [[3.0, 3.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0]; 3];
+    for state in [tested, blended] {
+        let mut builder = Builder::new(size[0], size[1]);
+        builder.draw(topology::TRIANGLES, &few(&mut random), 0, state);
+        for clears in clears {
+            builder.batch.steps.extend(clears.iter().map(|&clear| Step::Clear(clear)));
+            builder.draw(topology::TRIANGLES, &few(&mut random), 0, state);
+        }
+        for (way, gpu) in all_ways() {
+            let Ok(gpu) = gpu else { return };
+            eprintln!("{way}");
+            compare_with(&gpu, &builder.batch, size, FORMAT);
+            // Each by itself as well: what a later clear covers is seen here.
+            for clears in clears {
+                let mut batch = builder.batch.clone();
+                batch.steps.truncate(2);
+                batch.steps.extend(clears.iter().map(|&clear| Step::Clear(clear)));
+                let mut last = Builder { batch, programs: builder.programs.clone() };
+                last.draw(topology::TRIANGLES, &few(&mut random), 0, state);
+                compare_with(&gpu, &last.batch, size, FORMAT);
+                last.batch.steps.pop();
+                last.draw(topology::TRIANGLES, &nothing, 0, state);
+                compare_clears_with(&gpu, &last.batch, size, FORMAT);
+            }
+        }
+    }
 }
 
 #[test]

@@ -22,7 +22,7 @@ fn tex_coord() -> impl Strategy<Value = TexCoordKey> {
 }
 
 fn lighting() -> impl Strategy<Value = LightingKey> {
-    (any::<[bool; 6]>(), proptest::array::uniform8(0u8..16), proptest::array::uniform2(0u8..16)).prop_map(
+    (any::<[bool; 5]>(), proptest::array::uniform8(0u8..16), proptest::array::uniform2(0u8..16)).prop_map(
         |([enabled, two_side, local_viewer, separate_specular, specular], lights, color_material)| LightingKey {
             enabled,
             // Attenuation belongs to positional lights.
@@ -39,7 +39,7 @@ fn lighting() -> impl Strategy<Value = LightingKey> {
 fn vertex_key() -> impl Strategy<Value = VertexKey> {
     let normal = prop_oneof![Just(Normal::Keep), Just(Normal::Rescale), Just(Normal::Normalize)];
     let fog = prop_oneof![Just(FogCoord::None), Just(FogCoord::EyeZ), Just(FogCoord::Attribute)];
-    (any::<[bool; 5]>(), lighting(), normal, proptest::collection::vec(tex_coord(), 8), fog, 0u8..=8).prop_map(
+    (any::<[bool; 6]>(), lighting(), normal, proptest::collection::vec(tex_coord(), 8), fog, 0u8..=8).prop_map(
         |(
             [color, secondary, eye, point_attenuation, planes_in_clip_space, point_distance_along_z],
             lighting,
