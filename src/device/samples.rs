@@ -6,7 +6,8 @@ use super::ColorFormat;
 pub const MAX_SAMPLES: u32 = 16;
 
 /// Offsets of the samples from the pixel's centre, in 1/16 pixel, x and y with the rows of the surface: the standard positions of Direct3D.
-pub fn positions(samples: u32) -> &'static [[i32; 2]] {
+#[inline]
+pub const fn positions(samples: u32) -> &'static [[i32; 2]] {
     match samples {
         2 => &[[4, 4], [-4, -4]],
         4 => &[[-2, -6], [6, -2], [-6, 2], [2, 6]],

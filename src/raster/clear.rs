@@ -7,13 +7,13 @@ use super::store::{BIN_PIXELS, BinPixels, pixel_index};
 use crate::device::{DepthFormat, SurfaceFormat};
 use crate::draw::Clear;
 
-/// The part of a clear that lies in a bin.
-pub fn run(clear: &Clear, format: SurfaceFormat, bin: &mut BinPixels) {
+/// The part of a clear that lies in a bin. Returns whether that is all of it.
+pub fn run(clear: &Clear, format: SurfaceFormat, bin: &mut BinPixels) -> bool {
     let side = BIN_SIZE as i32;
     let span = |k: usize| (clear.min[k] - bin.origin[k]).clamp(0, side)..(clear.max[k] - bin.origin[k]).clamp(0, side);
     let (columns, rows) = (span(0), span(1));
     if columns.is_empty() || rows.is_empty() {
-        return;
+        return false;
     }
     let whole = columns.len() == side as usize && rows.len() == side as usize;
     // Calls f for each run of pixels that are neighbours in the store.
@@ -69,4 +69,5 @@ pub fn run(clear: &Clear, format: SurfaceFormat, bin: &mut BinPixels) {
             }
         });
     }
+    whole
 }

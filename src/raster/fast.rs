@@ -100,7 +100,8 @@ impl<'a, S: Simd> DepthRow<'a, S> {
         let z = depth_stencil::quantize::<S>(z, plan.depth_range, plan.depth_scale);
         let old = S::load_u(words);
         let old_z = S::and(old, S::i(0xff_ffff));
-        let outside = S::or(outside, S::xor(S::gt(S::iadd(old_z, S::i(plan.depth_bias)), z), S::i(-1)));
+        // Not less, of integers: greater than what is one less.
+        let outside = S::or(outside, S::gt(z, S::iadd(old_z, S::i(plan.depth_bias - 1))));
         S::store_u(S::select(outside, old, S::or(S::andnot(S::i(0xff_ffff), old), z)), words);
         outside
     }
@@ -142,9 +143,9 @@ fn over_w<S: Simd>(row: i32, down: f32, across: S::F) -> S::F {
     S::div(S::f(1.0), S::fma(S::f(row as f32), S::f(down), across))
 }
 
-/// Draws the covered pixels of a tile; false where there are none.
+/// Draws the covered pixels of a tile: the rows that were written; `None` where nothing is covered.
 #[inline(always)]
-pub fn tile<S: Simd, const MODE: u32>(plan: &Plan, t: &Triangle, planes: &[[f32; 4]], bin: &mut BinPixels, tile: Tile<S>) -> bool {
+pub fn tile<S: Simd, const MODE: u32>(plan: &Plan, t: &Triangle, planes: &[[f32; 4]], bin: &mut BinPixels, tile: Tile<S>) -> Option<u32> {
     let Tile { at, place, mut edges, rows: [first, last], allowed } = tile;
     let k = plan.direct.unwrap_or(0);
     let base = (DEPTH_PLANE_VEC4 + k as u32 * VARYING_PLANE_VEC4) as usize;
@@ -158,7 +159,7 @@ pub fn tile<S: Simd, const MODE: u32>(plan: &Plan, t: &Triangle, planes: &[[f32;
     for c in 0..4 {
         colors.across[c] = S::fma(x, S::f(p[1][c]), S::f(p[0][c]));
     }
-    let mut touched = false;
+    let (mut touched, mut written) = (false, 0);
     // Without a test every row is written, and 1/w is asked for a row ahead: a division takes longer than the processor looks ahead
     // past a row's other work.
     let ahead = perspective && MODE & DEPTH == 0;
@@ -188,9 +189,10 @@ pub fn tile<S: Simd, const MODE: u32>(plan: &Plan, t: &Triangle, planes: &[[f32;
         if perspective && !ahead {
             reciprocal = over_w::<S>(place[1] + row, tail[1], wx);
         }
+        written += 1;
         colors.write::<MODE>(y, reciprocal, outside, row8(bin.color, pixel));
     }
-    touched
+    touched.then_some(written)
 }
 
 #[cfg(test)]

@@ -1,55 +1,100 @@
 //! The states of [`super::fast`] with several samples a pixel: coverage and depth by sample, the colour once where any passes. The same
 //! values as the general routine of [`super::samples`].
 
-use super::fast::{BLEND, DEPTH};
+use super::fast::{self, BLEND, DEPTH};
+use super::fine::{Extent, Scene, Worker, row8};
+use super::hi_z::{HiZ, Nearest, Under};
 use super::layout::*;
 use super::plan::Plan;
 use super::simd::{Simd, eight};
 use super::small::{self, Covered, gather, scatter};
 use super::store::{BIN_PIXELS, BinPixels};
-use super::tile::LocalEdges;
-use super::{blend, depth_stencil, fine::row8};
-use crate::device::samples::{MAX_SAMPLES, positions};
+use super::tile::{FULL, LocalEdges};
+use super::{blend, depth_stencil};
+use crate::device::samples::positions;
 
-/// Coverage of 8 x 8 pixels by sample: bit 8 * y + x.
-pub type Masks = [u64; MAX_SAMPLES as usize];
-
-/// Eight pixels of a bin, and where they lie on the surface.
-struct Eight<S: Simd> {
+/// Eight pixels of a bin that need not be neighbours, and where they lie on the surface.
+struct Eight<S: Simd, const N: usize> {
     at: [u32; 8],
     x: S::F,
     y: S::F,
-    /// By sample, as signs.
-    covered: [S::I; MAX_SAMPLES as usize],
+    /// By sample: signs where it is not covered.
+    outside: [S::I; N],
 }
 
-/// What the pixels of a triangle share.
-pub struct Brush<'a> {
+/// What the pixels of a triangle share; for `N` samples, or up to so many where that is the most that there can be.
+struct Brush<'a, const N: usize> {
     plan: &'a Plan<'a>,
-    samples: u32,
+    places: &'static [[i32; 2]],
     planes: &'a [[f32; 4]],
     perspective: bool,
 }
 
-impl<'a> Brush<'a> {
-    /// Of a triangle, on a surface with so many samples a pixel.
-    #[inline(always)]
-    pub fn new(plan: &'a Plan<'a>, t: &Triangle, planes: &'a [[f32; 4]], samples: u32) -> Brush<'a> {
-        let k = plan.direct.unwrap_or(0);
-        let perspective = plan.modes[k] == interpolation::PERSPECTIVE && t.flags & triangle_flags::PERSPECTIVE != 0;
-        Brush { plan, samples, planes, perspective }
+/// Draws a triangle in a bin.
+#[inline(always)]
+pub fn draw<S: Simd, const N: usize>(
+    worker: &mut Worker,
+    scene: &Scene,
+    plan: &Plan,
+    t: &Triangle,
+    planes: &[[f32; 4]],
+    bin: &mut BinPixels,
+) {
+    let k = plan.direct.unwrap_or(0);
+    let perspective = plan.modes[k] == interpolation::PERSPECTIVE && t.flags & triangle_flags::PERSPECTIVE != 0;
+    // A number of samples that is known here unrolls the loops.
+    let places = positions(if N == 4 { 4 } else { scene.format.samples });
+    let brush = Brush::<N> { plan, places: &places[..places.len().min(N)], planes, perspective };
+    if small::fits(plan, t) {
+        worker.tiles[1] += brush.small::<S>(t, &mut worker.hi_z, bin) as u64;
+        return;
     }
+    let [ox, oy] = bin.origin;
+    let centre = LocalEdges::<S>::new(t, ox, oy);
+    let all = centre.of_all_samples();
+    let mut offsets = [[0; 8]; N];
+    for (offsets, &place) in offsets.iter_mut().zip(brush.places) {
+        S::store_u(centre.offset(place), offsets);
+    }
+    let extent = Extent::new(plan, t, bin);
+    let near = Nearest::<S>::new(t, planes, bin.origin);
+    for ty in extent.tiles(extent.rows) {
+        let (first, last) = extent.rows_of(ty);
+        let mut tiles = extent.tile_columns();
+        if plan.hi_z {
+            tiles = worker.hi_z.visible::<S>(plan, planes, &near, tiles, ty, bin);
+        }
+        while tiles != 0 {
+            let tx = tiles.trailing_zeros() as i32;
+            tiles &= tiles - 1;
+            let Some(edges) = all.rows(tx * 8, ty * 8, first) else { continue };
+            let allowed = extent.allowed(scene, plan, t, tx, ty);
+            let full = edges.full && allowed == FULL;
+            let at = (ty * 8 + tx) as usize;
+            let tile = fast::Tile { at: at * 64, place: [ox + tx * 8, oy + ty * 8], edges, rows: [first, last], allowed };
+            if let Some(rows) = brush.tile::<S>(tile, &offsets, bin) {
+                worker.tiles[!full as usize] += 1;
+                worker.hi_z.wrote(at, rows * TILE_SIZE);
+            }
+        }
+    }
+}
 
-    /// Draws a triangle that [`small::fits`]; false where it covers nothing of the bin.
+impl<const N: usize> Brush<'_, N> {
+    /// Draws a triangle that [`small::fits`]; false where it covers nothing of the bin, or lies behind all that is there.
     #[inline(always)]
-    pub fn small<S: Simd>(&self, t: &Triangle, bin: &mut BinPixels) -> bool {
+    fn small<S: Simd>(&self, t: &Triangle, hi_z: &mut HiZ, bin: &mut BinPixels) -> bool {
+        let under = Under::new(t, bin.origin);
+        if self.plan.hi_z && hi_z.hides::<S>(self.plan, t, self.planes, &under, bin) {
+            return false;
+        }
         let corner = small::corner(t);
         let place = [corner[0] - bin.origin[0], corner[1] - bin.origin[1]];
         let inside = small::inside(place);
         let centre = LocalEdges::<S>::new(t, corner[0], corner[1]);
-        let (mut masks, mut any) = ([0; MAX_SAMPLES as usize], 0);
-        for (mask, &at) in masks.iter_mut().zip(positions(self.samples)) {
-            *mask = centre.sample(at).square() & inside;
+        let (mut masks, mut any) = ([0; N], 0);
+        for (mask, &place) in masks.iter_mut().zip(self.places) {
+            *mask = centre.sample(place).square() & inside;
             any |= *mask;
         }
         if any == 0 {
@@ -59,99 +104,145 @@ impl<'a> Brush<'a> {
         for first in (0..covered.count).step_by(8) {
             let bytes = eight(&covered.at, first);
             let (at, [x, y]) = small::places::<S>(bytes, place, bin.origin);
-            let mut pixels = Eight::<S> { at, x, y, covered: [S::i(0); MAX_SAMPLES as usize] };
+            let mut pixels = Eight::<S, N> { at, x, y, outside: [S::i(0); N] };
             let packed = u64::from_le_bytes(*bytes);
             let rows = (packed >> 3 & 0x0707_0707_0707_0707).to_le_bytes();
             let columns = (packed & 0x0707_0707_0707_0707).to_le_bytes();
             let bit = S::permute(S::load_u(&[1, 2, 4, 8, 16, 32, 64, 128]), &columns);
-            for s in 0..self.samples as usize {
+            for s in 0..self.places.len() {
                 let row = S::permute(S::extend(&masks[s].to_le_bytes()), &rows);
-                pixels.covered[s] = S::eq(S::and(row, bit), bit);
+                pixels.outside[s] = S::eq(S::and(row, bit), S::i(0));
             }
-            self.eight::<S, true>(&pixels, bin);
+            self.eight::<S>(&pixels, bin);
         }
+        hi_z.wrote_under(&under, covered.count as u32);
         true
     }
 
-    /// Draws what is covered of a tile whose first pixel is `at` in the bin and lies at `place` on the surface.
+    /// Draws what is covered of a tile, given each sample's offsets of the edges: the rows that were written; `None` where nothing is
+    /// covered.
     #[inline(always)]
-    pub fn tile<S: Simd>(&self, at: usize, place: [i32; 2], masks: &Masks, bin: &mut BinPixels) {
-        let mut left = masks.iter().fold(0, |all, mask| all | mask);
+    fn tile<S: Simd>(&self, tile: fast::Tile<S>, offsets: &[[u32; 8]; N], bin: &mut BinPixels) -> Option<u32> {
+        let fast::Tile { at, place, mut edges, rows: [first, last], allowed } = tile;
+        let plan = self.plan;
+        let &[head, tail] = self.planes.first_chunk().expect("planes of depth");
         let x = S::add(S::f(place[0] as f32), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
-        while left != 0 {
-            let row = left.trailing_zeros() / 8;
-            left &= !(0xff << (8 * row));
-            let y = S::f((place[1] + row as i32) as f32);
-            let mut pixels = Eight::<S> { at: [at as u32 + 8 * row; 8], x, y, covered: [S::i(0); MAX_SAMPLES as usize] };
-            for s in 0..self.samples as usize {
-                pixels.covered[s] = S::mask((masks[s] >> (8 * row)) as u32);
+        let mut across = [S::f(0.0); N];
+        for (across, &[dx, _]) in across.iter_mut().zip(self.places) {
+            *across = S::fma(S::add(x, S::f(dx as f32 / 16.0)), S::f(head[1]), S::f(head[0]));
+        }
+        let (mut touched, mut written) = (false, 0);
+        for row in first..=last {
+            let forbidden = if allowed != FULL { S::mask(!(allowed >> (8 * row)) as u32) } else { S::i(0) };
+            let mut outside = [forbidden; N];
+            let mut all = S::i(-1);
+            for s in 0..self.places.len() {
+                if !edges.full {
+                    outside[s] = S::or(outside[s], edges.sample(&offsets[s]));
+                }
+                all = S::and(all, outside[s]);
             }
-            self.eight::<S, false>(&pixels, bin);
+            edges.step();
+            if S::signs(all) == 0xff {
+                continue;
+            }
+            touched = true;
+            let pixel = at + row as usize * 8;
+            let y = (place[1] + row) as f32;
+            if plan.fast_samples & DEPTH != 0 {
+                all = S::i(-1);
+                for (s, &[_, dy]) in self.places.iter().enumerate() {
+                    let z = S::fma(S::f(y + dy as f32 / 16.0), S::f(head[2]), across[s]);
+                    let words = row8(bin.depth_stencil, s * BIN_PIXELS + pixel);
+                    let (fails, new) = self.test::<S>(z, tail[2], outside[s], S::load_u(words));
+                    S::store_u(new, words);
+                    outside[s] = fails;
+                    all = S::and(all, fails);
+                }
+                if S::signs(all) == 0xff {
+                    continue;
+                }
+            }
+            written += 1;
+            let color = self.color::<S>(x, S::f(y));
+            for s in 0..self.places.len() {
+                let words = row8(bin.color, s * BIN_PIXELS + pixel);
+                let old = S::load_u(words);
+                S::store_u(S::select(outside[s], old, self.over::<S>(color, old)), words);
+            }
+        }
+        touched.then_some(written)
+    }
+
+    /// Draws eight pixels anywhere in a bin.
+    #[inline(always)]
+    fn eight<S: Simd>(&self, pixels: &Eight<S, N>, bin: &mut BinPixels) {
+        let &Eight { ref at, x, y, mut outside } = pixels;
+        let plan = self.plan;
+        let &[head, tail] = self.planes.first_chunk().expect("planes of depth");
+        if plan.fast_samples & DEPTH != 0 {
+            let mut all = S::i(-1);
+            for (s, &[dx, dy]) in self.places.iter().enumerate() {
+                let (x, y) = (S::add(x, S::f(dx as f32 / 16.0)), S::add(y, S::f(dy as f32 / 16.0)));
+                let z = S::fma(y, S::f(head[2]), S::fma(x, S::f(head[1]), S::f(head[0])));
+                let words = bin.depth_stencil[s * BIN_PIXELS..].first_chunk_mut().expect("a bin");
+                let (fails, new) = self.test::<S>(z, tail[2], outside[s], gather::<S>(words, at));
+                if S::signs(fails) != 0xff {
+                    scatter::<S>(new, words, at);
+                }
+                outside[s] = fails;
+                all = S::and(all, fails);
+            }
+            if S::signs(all) == 0xff {
+                return;
+            }
+        }
+        let color = self.color::<S>(x, y);
+        for s in 0..self.places.len() {
+            if S::signs(outside[s]) != 0xff {
+                let words = bin.color[s * BIN_PIXELS..].first_chunk_mut().expect("a bin");
+                let old = gather::<S>(words, at);
+                scatter::<S>(S::select(outside[s], old, self.over::<S>(color, old)), words, at);
+            }
         }
     }
 
-    /// Draws eight pixels: `APART` or in a row.
+    /// The depth test: where a sample is outside or fails, as signs, and what is stored then.
     #[inline(always)]
-    fn eight<S: Simd, const APART: bool>(&self, pixels: &Eight<S>, bin: &mut BinPixels) {
-        let Eight { at, x, y, covered } = pixels;
-        let (x, y) = (*x, *y);
+    fn test<S: Simd>(&self, z: S::F, offset: f32, outside: S::I, old: S::I) -> (S::I, S::I) {
         let plan = self.plan;
-        let &[head, tail] = self.planes.first_chunk().expect("planes of depth");
-        let mut pass = *covered;
-        let mut any = 0;
-        for (s, &[dx, dy]) in positions(self.samples).iter().enumerate() {
-            if plan.fast_samples & DEPTH != 0 && S::signs(pass[s]) != 0 {
-                let (x, y) = (S::add(x, S::f(dx as f32 / 16.0)), S::add(y, S::f(dy as f32 / 16.0)));
-                let z = S::add(S::fma(y, S::f(head[2]), S::fma(x, S::f(head[1]), S::f(head[0]))), S::f(tail[2]));
-                let z = depth_stencil::quantize::<S>(z, plan.depth_range, plan.depth_scale);
-                let words = &mut bin.depth_stencil[s * BIN_PIXELS..];
-                let old = load::<S, APART>(words, at);
-                let depth_bits = S::i(0xff_ffff);
-                pass[s] = S::and(pass[s], S::gt(S::iadd(S::and(old, depth_bits), S::i(plan.depth_bias)), z));
-                if S::signs(pass[s]) != 0 {
-                    store::<S, APART>(S::select(pass[s], S::or(S::andnot(depth_bits, old), z), old), words, at);
-                }
-            }
-            any |= S::signs(pass[s]);
-        }
-        if any == 0 {
-            return;
-        }
-        let base = (DEPTH_PLANE_VEC4 + plan.direct.unwrap_or(0) as u32 * VARYING_PLANE_VEC4) as usize;
+        let z = depth_stencil::quantize::<S>(S::add(z, S::f(offset)), plan.depth_range, plan.depth_scale);
+        let depth_bits = S::i(0xff_ffff);
+        // Not less, of integers: greater than what is one less.
+        let outside = S::or(outside, S::gt(z, S::iadd(S::and(old, depth_bits), S::i(plan.depth_bias - 1))));
+        (outside, S::select(outside, old, S::or(S::andnot(depth_bits, old), z)))
+    }
+
+    /// The colour of eight pixels.
+    #[inline(always)]
+    fn color<S: Simd>(&self, x: S::F, y: S::F) -> S::I {
+        let base = (DEPTH_PLANE_VEC4 + self.plan.direct.unwrap_or(0) as u32 * VARYING_PLANE_VEC4) as usize;
         let p: &[[f32; 4]; 3] = self.planes[base..base + 3].try_into().expect("three");
         let mut color = [S::f(0.0); 4];
         for c in 0..4 {
             color[c] = S::fma(y, S::f(p[2][c]), S::fma(x, S::f(p[1][c]), S::f(p[0][c])));
         }
         if self.perspective {
+            let (head, tail) = (self.planes[0], self.planes[1]);
             let w = S::div(S::f(1.0), S::fma(y, S::f(tail[1]), S::fma(x, S::f(tail[0]), S::f(head[3]))));
             for c in &mut color {
                 *c = S::mul(*c, w);
             }
         }
-        let new = blend::quantize4::<S>(color);
-        for s in 0..self.samples as usize {
-            if S::signs(pass[s]) != 0 {
-                let words = &mut bin.color[s * BIN_PIXELS..];
-                let old = load::<S, APART>(words, at);
-                let mut new = new;
-                if plan.fast_samples & BLEND != 0 {
-                    new = blend::pack::<S>(blend::over::<S>(blend::unpack::<S>(new), blend::unpack::<S>(old)));
-                }
-                store::<S, APART>(S::select(pass[s], new, old), words, at);
-            }
-        }
+        blend::quantize4::<S>(color)
     }
-}
 
-/// A sample's words at eight pixels: `APART`, or in a row from the first on.
-#[inline(always)]
-fn load<S: Simd, const APART: bool>(words: &mut [u32], at: &[u32; 8]) -> S::I {
-    if APART { gather::<S>(words.first_chunk().expect("a bin"), at) } else { S::load_u(row8(words, at[0] as usize)) }
-}
-
-/// The other way.
-#[inline(always)]
-fn store<S: Simd, const APART: bool>(v: S::I, words: &mut [u32], at: &[u32; 8]) {
-    if APART { scatter::<S>(v, words.first_chunk_mut().expect("a bin"), at) } else { S::store_u(v, row8(words, at[0] as usize)) }
+    /// What is stored of a colour over what was there.
+    #[inline(always)]
+    fn over<S: Simd>(&self, color: S::I, old: S::I) -> S::I {
+        if self.plan.fast_samples & BLEND == 0 {
+            return color;
+        }
+        blend::pack::<S>(blend::over::<S>(blend::unpack::<S>(color), blend::unpack::<S>(old)))
+    }
 }

@@ -4,6 +4,7 @@
 //! Fragments of programs wait in a queue, packed lane by lane, so that one run of the lane executor serves many small
 //! triangles; a queue is written out in the order in which it was filled, and before anything else is drawn.
 
+use super::hi_z::{HiZ, Nearest};
 use super::interpolate::Interpolator;
 use super::layout::*;
 use super::modulate::{Colors, Fragments, Source};
@@ -107,6 +108,8 @@ pub struct Worker {
     lanes: usize,
     /// Fragments of one modulated texture.
     fragments: Box<Fragments>,
+    /// The farthest depths of the bin.
+    pub hi_z: HiZ,
     /// Tiles that were fully and partly covered; a small triangle is one of these.
     pub tiles: [u64; 2],
 }
@@ -124,6 +127,7 @@ impl Default for Worker {
             queued: 0,
             lanes: 0,
             fragments: Box::default(),
+            hi_z: HiZ::default(),
             tiles: [0; 2],
         }
     }
@@ -137,12 +141,18 @@ crate::dispatch! {
 #[inline(always)]
 fn bin_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, index: usize, bin: &mut BinPixels) {
     let mut current = NONE;
+    worker.hi_z.forget();
     for (index_of_work, work) in scene.work.iter().enumerate() {
         worker.work = index_of_work as u32;
         match work {
             Work::Clear(c) => {
                 flush::<S>(worker, scene, current, bin);
-                clear::run(c, scene.format, bin);
+                let whole = clear::run(c, scene.format, bin);
+                match c.depth {
+                    Some(depth) if whole && !scene.format.depth.is_float() => worker.hi_z.cleared(scene.format.depth.word(depth)),
+                    Some(_) => worker.hi_z.forget(),
+                    None => {}
+                }
             }
             Work::Triangles(records) => {
                 if let Some(Work::Triangles(later)) = scene.work.get(index_of_work + 4) {
@@ -161,6 +171,9 @@ fn bin_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, index: usize, bin: &m
                         flush::<S>(worker, scene, current, bin);
                         current = t.draw;
                         let plan = &scene.plans[current as usize];
+                        if plan.farther {
+                            worker.hi_z.forget();
+                        }
                         if plan.direct.is_none() && plan.modulate.is_none() {
                             worker.interpolator.prepare(plan);
                         }
@@ -237,6 +250,13 @@ impl Extent {
         first.max(0) >> 3..(last.min(63) >> 3) + 1
     }
 
+    /// The tiles of a row that the columns lie in, a bit each.
+    #[inline(always)]
+    pub fn tile_columns(&self) -> u32 {
+        let tiles = self.tiles(self.columns);
+        (0xff >> (8 - tiles.end)) & (0xff << tiles.start)
+    }
+
     /// First and last row of a row of tiles.
     #[inline(always)]
     pub fn rows_of(&self, ty: i32) -> (i32, i32) {
@@ -278,9 +298,18 @@ fn tiles<S: Simd, const MODE: u32>(
     let local = LocalEdges::<S>::new(t, ox, oy);
     let extent = Extent::new(plan, t, bin);
     let source = Source { work: worker.work, planes: t.planes, perspective: t.flags & triangle_flags::PERSPECTIVE != 0 };
+    // With one sample a pixel a small triangle is drawn in about the time that it takes to find out that it is hidden.
+    let worth = MODE == fast::NONE || MODE & fast::DEPTH != 0 && (MODE & fast::TEXTURE == 0 || !small::fits(plan, t));
+    let near = if worth && plan.hi_z { Some(Nearest::<S>::new(t, planes, bin.origin)) } else { None };
     for ty in extent.tiles(extent.rows) {
         let (first, last) = extent.rows_of(ty);
-        for tx in extent.tiles(extent.columns) {
+        let mut tiles = extent.tile_columns();
+        if let Some(near) = &near {
+            tiles = worker.hi_z.visible::<S>(plan, planes, near, tiles, ty, bin);
+        }
+        while tiles != 0 {
+            let tx = tiles.trailing_zeros() as i32;
+            tiles &= tiles - 1;
             // Rows of a quad go together where there is a texture.
             let from = if MODE & fast::TEXTURE != 0 { first & !1 } else { first };
             let Some(edges) = local.rows(tx * 8, ty * 8, from) else { continue };
@@ -291,17 +320,22 @@ fn tiles<S: Simd, const MODE: u32>(
                 bin.prefetch_next(tile);
             }
             if MODE != fast::NONE {
+                let at = (ty * 8 + tx) as usize;
                 let tile = fast::Tile { at: tile, place: [ox + tx * 8, oy + ty * 8], edges, rows: [first, last], allowed };
-                let touched = if MODE & fast::TEXTURE != 0 {
+                let written = if MODE & fast::TEXTURE != 0 {
                     textured::tile::<S, MODE>(&mut worker.fragments, scene, plan, t.draw, source, planes, bin, tile)
                 } else {
                     fast::tile::<S, MODE>(plan, t, planes, bin, tile)
                 };
-                worker.tiles[!full as usize] += touched as u64;
+                if let Some(rows) = written {
+                    worker.tiles[!full as usize] += 1;
+                    worker.hi_z.wrote(at, rows * TILE_SIZE);
+                }
                 continue;
             }
             let mut mask = edges.mask(first, last) & allowed;
             worker.tiles[!full as usize] += (mask != 0) as u64;
+            worker.hi_z.wrote((ty * 8 + tx) as usize, mask.count_ones());
             while mask != 0 {
                 let row = mask.trailing_zeros() as i32 / 8;
                 let bits = (mask >> (8 * row)) as u32 & 0xff;

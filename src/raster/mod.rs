@@ -14,6 +14,7 @@ mod fast_samples;
 mod filled;
 pub mod fine;
 pub mod formats;
+mod hi_z;
 mod interpolate;
 pub mod layout;
 mod lod;

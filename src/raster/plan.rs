@@ -41,6 +41,10 @@ pub struct Plan<'a> {
     pub fast_samples: u32,
     /// Added to the stored depth before "less": 1 for LEQUAL.
     pub depth_bias: i32,
+    /// What is farther than the stored depths leaves no trace: [`super::hi_z`] may leave it out.
+    pub hi_z: bool,
+    /// Depths may become farther.
+    pub farther: bool,
     /// Vec4 of a varying's planes that are interpolated: mode by varying.
     pub modes: [u32; MAX_VARYINGS],
 }
@@ -66,6 +70,9 @@ impl<'a> Plan<'a> {
             write_mask |= 0xff00_0000;
         }
         let routine = fast::choose(state, format, [direct.is_some(), modulate.is_some()], write_mask);
+        let tested = state.flags & fragment_flags::DEPTH_TEST != 0;
+        let nearer = matches!(state.depth_func, compare::LESS | compare::LEQUAL);
+        let keeps = nearer || matches!(state.depth_func, compare::NEVER | compare::EQUAL);
         // With samples only what needs no texture, and a triangle's coverage by its edges alone.
         let by_sample = fragment_flags::ALPHA_TO_COVERAGE | fragment_flags::ALPHA_TO_ONE;
         let samples_serve = routine & fast::TEXTURE == 0 && state.flags & by_sample == 0 && state.dropped_samples == 0;
@@ -92,6 +99,8 @@ impl<'a> Plan<'a> {
             fast,
             fast_samples,
             depth_bias: (state.depth_func == compare::LEQUAL) as i32,
+            hi_z: tested && nearer && state.flags & fragment_flags::STENCIL_TEST == 0 && !format.depth.is_float() && !program.writes_depth,
+            farther: tested && state.flags & fragment_flags::DEPTH_WRITE != 0 && !keeps,
             modes: draw.record.varyings.map(|v| v >> 16 & 3),
         }
     }

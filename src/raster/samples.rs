@@ -2,15 +2,15 @@
 //!
 //! A bin holds its samples one after the other, so that the routines of one sample serve all of them.
 
-use super::fast_samples::Brush;
 use super::fine::{Extent, Row, Scene, Worker, depth, direct_color, queue, row8};
+use super::hi_z::Nearest;
 use super::layout::*;
 use super::plan::Plan;
 use super::simd::Simd;
 use super::store::{BIN_PIXELS, BinPixels};
 use super::tile::{FULL, LocalEdges};
 use super::write::{self, Color};
-use super::{depth_stencil, fast, small};
+use super::{depth_stencil, fast, fast_samples};
 use crate::device::samples::{MAX_SAMPLES, positions};
 
 /// Which of eight pixels in a row, by sample.
@@ -46,45 +46,43 @@ pub fn tiles<S: Simd>(worker: &mut Worker, scene: &Scene, plan: &Plan, t: &Trian
     let [ox, oy] = bin.origin;
     let count = scene.format.samples as usize;
     let several = t.flags & triangle_flags::MULTISAMPLE != 0;
-    let brush = Brush::new(plan, t, planes, scene.format.samples);
-    let fast = several && plan.fast_samples != fast::NONE;
-    if fast && small::fits(plan, t) {
-        worker.tiles[1] += brush.small::<S>(t, bin) as u64;
-        return;
+    if several && plan.fast_samples != fast::NONE {
+        return match count {
+            4 => fast_samples::draw::<S, 4>(worker, scene, plan, t, planes, bin),
+            _ => fast_samples::draw::<S, { MAX_SAMPLES as usize }>(worker, scene, plan, t, planes, bin),
+        };
     }
     let centre = LocalEdges::<S>::new(t, ox, oy);
     let all = if several { centre.of_all_samples() } else { centre };
-    let mut edges = [centre; MAX_SAMPLES as usize];
+    // Without multisampling all are the centre.
+    let mut offsets = [[0; 8]; MAX_SAMPLES as usize];
     if several {
-        for (edges, &at) in edges.iter_mut().zip(positions(scene.format.samples)) {
-            *edges = centre.sample(at);
+        for (offsets, &place) in offsets.iter_mut().zip(positions(scene.format.samples)) {
+            S::store_u(centre.offset(place), offsets);
         }
     }
     let extent = Extent::new(plan, t, bin);
+    let near = Nearest::<S>::new(t, planes, bin.origin);
     for ty in extent.tiles(extent.rows) {
         let (first, last) = extent.rows_of(ty);
-        for tx in extent.tiles(extent.columns) {
+        let mut tiles = extent.tile_columns();
+        if plan.hi_z {
+            tiles = worker.hi_z.visible::<S>(plan, planes, &near, tiles, ty, bin);
+        }
+        while tiles != 0 {
+            let tx = tiles.trailing_zeros() as i32;
+            tiles &= tiles - 1;
             let Some(reached) = all.rows(tx * 8, ty * 8, first) else { continue };
             let allowed = extent.allowed(scene, plan, t, tx, ty);
+            let full = reached.full && allowed == FULL;
             let mut masks = [0; MAX_SAMPLES as usize];
-            for s in 0..count {
-                let covered = match s {
-                    _ if reached.full => FULL,
-                    0 => edges[0].rows(tx * 8, ty * 8, first).map_or(0, |r| r.mask(first, last)),
-                    _ if several => edges[s].rows(tx * 8, ty * 8, first).map_or(0, |r| r.mask(first, last)),
-                    _ => masks[0],
-                };
-                masks[s] = covered;
-            }
+            reached.masks(first, last, &offsets, &mut masks[..count]);
             for (s, mask) in masks[..count].iter_mut().enumerate() {
                 *mask &= if plan.state.dropped_samples >> s & 1 != 0 { 0 } else { allowed };
             }
             let mut left = masks.iter().fold(0, |all, mask| all | mask);
-            worker.tiles[!(reached.full && allowed == FULL) as usize] += (left != 0) as u64;
-            if fast {
-                brush.tile::<S>(((ty * 8 + tx) * 64) as usize, [ox + tx * 8, oy + ty * 8], &masks, bin);
-                continue;
-            }
+            worker.tiles[!full as usize] += (left != 0) as u64;
+            worker.hi_z.wrote((ty * 8 + tx) as usize, left.count_ones());
             while left != 0 {
                 let row = left.trailing_zeros() as i32 / 8;
                 left &= !(0xff << (8 * row));

@@ -43,6 +43,8 @@ pub trait Simd: Copy + 'static {
     /// !a & b
     fn andnot(a: Self::I, b: Self::I) -> Self::I;
     fn gt(a: Self::I, b: Self::I) -> Self::I;
+    /// The greater.
+    fn imax(a: Self::I, b: Self::I) -> Self::I;
     fn eq(a: Self::I, b: Self::I) -> Self::I;
     fn shl<const N: i32>(a: Self::I) -> Self::I;
     /// Logical shift right.
@@ -305,6 +307,10 @@ impl Simd for Portable {
     #[inline(always)]
     fn gt(a: Self::I, b: Self::I) -> Self::I {
         zip(a, b, |a, b| -((a > b) as i32))
+    }
+    #[inline(always)]
+    fn imax(a: Self::I, b: Self::I) -> Self::I {
+        zip(a, b, i32::max)
     }
     #[inline(always)]
     fn eq(a: Self::I, b: Self::I) -> Self::I {

@@ -94,6 +94,7 @@ impl Simd for Avx2 {
     op!(xor(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_xor_si256(a, b));
     op!(andnot(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_andnot_si256(a, b));
     op!(gt(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_cmpgt_epi32(a, b));
+    op!(imax(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_max_epi32(a, b));
     op!(eq(a: Self::I, b: Self::I) -> Self::I, std::arch::x86_64::_mm256_cmpeq_epi32(a, b));
     #[inline(always)]
     fn shl<const N: i32>(a: Self::I) -> Self::I {

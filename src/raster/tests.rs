@@ -5,10 +5,15 @@ use std::sync::Arc;
 
 use bytemuck::Zeroable;
 
+use super::fine::depth;
+use super::hi_z::{HiZ, Nearest, Under};
 use super::layout::*;
+use super::plan::Plan;
 use super::simd::{Level, Portable};
+use super::store::{BIN_PIXELS, BinPixels, pixel_index};
 use super::tile::LocalEdges;
 use crate::device::cpu::{CpuDevice, CpuSurface};
+use crate::device::samples::positions;
 use crate::device::{ColorFormat, DepthFormat, Device, Surface, SurfaceFormat};
 use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
 use crate::draw::{Batch, Clear, Draw, Step};
@@ -177,16 +182,19 @@ fn draw_on<const STRIDE: usize>(
     textures: Vec<TextureBinding>,
 ) -> (Vec<u32>, Vec<u32>) {
     let state = if canvas.samples > 1 { raster_flags::MULTISAMPLE } else { 0 };
-    draw_state(canvas, device, vertices, topology, [flags, state], program, textures)
+    draw_state(canvas, device, vertices, topology, [flags, state], &[compare::LEQUAL], program, textures)
 }
 
-/// `flags`: of the fragment state and of the raster state.
+/// `flags`: of the fragment state and of the raster state. `depth_funcs`: as many parts of the primitives are drawn, each with its
+/// comparison, and between them the depth of a part of the surface is cleared.
+#[allow(clippy::too_many_arguments)]
 fn draw_state<const STRIDE: usize>(
     canvas: Canvas,
     device: &CpuDevice,
     vertices: &[[[f32; 4]; STRIDE]],
     topology: u32,
     flags: [u32; 2],
+    depth_funcs: &[u32],
     program: Arc<Program>,
     textures: Vec<TextureBinding>,
 ) -> (Vec<u32>, Vec<u32>) {
@@ -194,6 +202,23 @@ fn draw_state<const STRIDE: usize>(
     let (width, height) = (200 * scale, 150 * scale);
     let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true, samples };
     let mut surface = CpuSurface::new(device, device.target(width, height, format));
+    let batch = batch(canvas, vertices, topology, flags, depth_funcs, program, textures);
+    surface.execute_shaded(&batch, vertices.as_flattened().to_vec());
+    let pixels = surface.pixels();
+    (pixels.color.to_vec(), pixels.depth_stencil.to_vec())
+}
+
+/// What [`draw_state`] draws. A stencil test passes and changes nothing.
+fn batch<const STRIDE: usize>(
+    Canvas { scale, .. }: Canvas,
+    vertices: &[[[f32; 4]; STRIDE]],
+    topology: u32,
+    flags: [u32; 2],
+    depth_funcs: &[u32],
+    program: Arc<Program>,
+    textures: Vec<TextureBinding>,
+) -> Batch {
+    let (width, height) = (200 * scale, 150 * scale);
     let mut raster = RasterState::zeroed();
     raster.polygon_mode = [topology::TRIANGLES; 2];
     let (half_width, half_height) = (width as f32 * 0.5, height as f32 * 0.5);
@@ -206,7 +231,8 @@ fn draw_state<const STRIDE: usize>(
     raster.depth_range = [0.0, 1.0];
     raster.polygon_stipple = NONE;
     let mut state = FragmentState::zeroed();
-    (state.flags, state.depth_func, state.color_mask) = (flags[0], compare::LEQUAL, 15);
+    (state.flags, state.color_mask) = (flags[0], 15);
+    state.stencil = [StencilFace { func: compare::ALWAYS, ..StencilFace::zeroed() }; 2];
     let (s, d) = (blend_factor::SRC_ALPHA, blend_factor::ONE_MINUS_SRC_ALPHA);
     state.blend_factors = [s, d, s, d];
     let mut record = DrawRecord::zeroed();
@@ -216,21 +242,25 @@ fn draw_state<const STRIDE: usize>(
         record.varyings[k] = (k as u32 + 1) * 0x101 | interpolation::PERSPECTIVE << 16;
     }
     let each = topology + 1;
-    let primitive = |k: u32| Primitive { v: std::array::from_fn(|i| k * each + (i as u32).min(topology)), draw_and_flags: 0 };
     let count = vertices.len() as u32 / each;
-    let clear = Clear { min: [0; 2], max: [width as i32, height as i32], color: [0.0; 4], color_mask: 15, depth: Some(1.0), stencil: None };
-    let batch = Batch {
-        draws: vec![Draw { record, first_primitive: 0, vertex_program: program.clone(), fragment_program: program }],
-        raster_states: vec![raster],
-        fragment_states: vec![state],
-        textures,
-        primitives: (0..count).map(primitive).collect(),
-        steps: vec![Step::Clear(clear), Step::Primitives { first: 0, end: count }],
-        ..Batch::default()
-    };
-    surface.execute_shaded(&batch, vertices.as_flattened().to_vec());
-    let pixels = surface.pixels();
-    (pixels.color.to_vec(), pixels.depth_stencil.to_vec())
+    let parts = depth_funcs.len() as u32;
+    let part = |k: u32| count * k / parts..count * (k + 1) / parts;
+    let primitive = |draw: u32, k: u32| Primitive { v: std::array::from_fn(|i| k * each + (i as u32).min(topology)), draw_and_flags: draw };
+    let all = Clear { min: [0; 2], max: [width as i32, height as i32], color: [0.0; 4], color_mask: 15, depth: Some(1.0), stencil: None };
+    // More than a bin, and no bin whole.
+    let some = Clear { min: [30, 20], max: [120, 90], color_mask: 0, depth: Some(0.9), ..all };
+    let mut batch = Batch { raster_states: vec![raster], textures, ..Batch::default() };
+    for (k, &depth_func) in depth_funcs.iter().enumerate() {
+        let std::ops::Range { start: first, end } = part(k as u32);
+        record.fragment_state = k as u32;
+        let program = program.clone();
+        batch.draws.push(Draw { record, first_primitive: first, vertex_program: program.clone(), fragment_program: program });
+        batch.fragment_states.push(FragmentState { depth_func, ..state });
+        batch.primitives.extend((first..end).map(|primitive_of| primitive(k as u32, primitive_of)));
+        batch.steps.push(Step::Clear(if k == 0 { all } else { some }));
+        batch.steps.push(Step::Primitives { first, end });
+    }
+    batch
 }
 
 fn soup(seed: u64, count: usize, reach: f32) -> Vec<[[f32; 4]; 2]> {
@@ -296,6 +326,135 @@ fn small_triangles_have_the_bits_of_the_general_routine() {
             }
         }
     }
+}
+
+/// Triangles of all sizes in many layers, each at about one depth.
+fn layers(seed: u64, count: usize) -> Vec<[[f32; 4]; 2]> {
+    let mut random = Random(seed);
+    let mut vertices = Vec::new();
+    for k in 0..count {
+        let (at, z, side) = ([random.signed(), random.signed()], random.signed() * 0.9, [0.05, 0.2, 0.6][k % 3] * (0.5 + random.unit()));
+        for _ in 0..3 {
+            let w = 0.5 + random.unit();
+            let [x, y] = at.map(|at| at + side * random.signed());
+            vertices
+                .push([[x * w, y * w, (z + 0.05 * random.signed()) * w, w], [random.unit(), random.unit(), random.unit(), random.unit()]]);
+        }
+    }
+    vertices
+}
+
+#[test]
+fn what_lies_behind_is_left_out_without_a_trace() {
+    use compare::*;
+    let vertices = layers(11, 3000);
+    for samples in [1, 2, 4] {
+        let state = if samples > 1 { raster_flags::MULTISAMPLE } else { 0 };
+        // Comparisons that let depths grow, between others that do not.
+        for depth_funcs in [&[LEQUAL][..], &[LESS, GREATER, LESS, ALWAYS, LEQUAL], &[LESS, LESS, EQUAL, LESS]] {
+            for flags in [TESTED, TESTED | fragment_flags::BLEND, fragment_flags::DEPTH_TEST] {
+                let one = |level, shortcut, stencil| {
+                    let device = CpuDevice::with(2, level);
+                    let flags = [flags | stencil, state];
+                    draw_state(
+                        Canvas { scale: 1, samples },
+                        &device,
+                        &vertices,
+                        topology::TRIANGLES,
+                        flags,
+                        depth_funcs,
+                        program(shortcut),
+                        Vec::new(),
+                    )
+                };
+                // Under a stencil test nothing is left out.
+                let all = one(Level::best(), Shortcut::Varying(0), fragment_flags::STENCIL_TEST);
+                assert!(all.0.iter().any(|&c| c != 0));
+                for level in [Level::Scalar, Level::best()] {
+                    for shortcut in [Shortcut::None, Shortcut::Varying(0)] {
+                        assert!(
+                            all == one(level, shortcut, 0),
+                            "{samples} samples, {depth_funcs:?}, flags {flags}, {level:?}, {shortcut:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn only_what_fails_at_every_sample_is_hidden() {
+    const SAMPLES: u32 = 4;
+    const FUNCS: [u32; 2] = [compare::LESS, compare::LEQUAL];
+    let mut random = Random(12);
+    let format = SurfaceFormat { color: ColorFormat::Rgba8, depth: DepthFormat::D24, stencil: true, top_first: true, samples: SAMPLES };
+    let odd = [0.0, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, 1e30, -1e30, f32::MAX];
+    let (mut hidden, mut seen) = ([0; 2], [0; 2]);
+    let canvas = Canvas { scale: 1, samples: SAMPLES };
+    let batches = FUNCS.map(|func| {
+        let program = program(Shortcut::Varying(0));
+        batch(canvas, &soup(1, 3, 1.0), topology::TRIANGLES, [TESTED, 0], &[func], program, Vec::new())
+    });
+    for round in 0..1500 {
+        let func = FUNCS[round % 2];
+        let plan = Plan::new(&batches[round % 2], 0, format);
+        let origin = [64 * random.below(3), 64 * random.below(3)];
+        // Depths around a level, of which the plane of the triangle is somewhere near, with a stencil value that must not count.
+        let level = random.unit();
+        let mut words: Vec<u32> = (0..SAMPLES as usize * BIN_PIXELS)
+            .map(|_| ((level * 0.9 + 0.1 * random.unit()) * 16777215.0) as u32 | random.bits() & 0xff00_0000)
+            .collect();
+        let slopes = [random.signed(), random.signed()].map(|s| s * [0.0, 1e-5, 1e-3][round % 3]);
+        let a0 = level + 0.2 * random.signed() - (0..2).map(|k| slopes[k] * (origin[k] + 32) as f32).sum::<f32>();
+        let mut planes = [[a0, slopes[0], slopes[1], 1.0], [0.0, 0.0, 1e-4 * random.signed(), 0.0]];
+        if round % 8 == 0 {
+            planes[0][random.below(3) as usize] = odd[random.below(odd.len() as i32) as usize];
+        }
+        let small = round % 5 < 2;
+        let mut span = |origin: i32| {
+            let first = (origin - 7 + random.below(64 + 7)).max(0);
+            let last = first.max(origin) + random.below(8);
+            (first as u32, if small { last.min(first + 7) } else { last + random.below(64) } as u32)
+        };
+        let (columns, rows) = (span(origin[0]), span(origin[1]));
+        let t = Triangle { columns: columns.0 | columns.1 << 16, rows: rows.0 | rows.1 << 16, ..Triangle::default() };
+        let bin = BinPixels { origin, color: &mut [], depth_stencil: &mut words };
+        let mut hi_z = HiZ::default();
+        // Tiles that are hidden, of those that there are.
+        let mut tiles = [0u32; 8];
+        if small {
+            let behind = hi_z.hides::<Portable>(&plan, &t, &planes, &Under::new(&t, origin), &bin);
+            tiles = [if behind { 0xff } else { 0 }; 8];
+        } else {
+            let near = Nearest::<Portable>::new(&t, &planes, origin);
+            for (ty, tiles) in tiles.iter_mut().enumerate() {
+                *tiles = !hi_z.visible::<Portable>(&plan, &planes, &near, 0xff, ty as i32, &bin) & 0xff;
+            }
+        }
+        for (y, x) in (0..64).flat_map(|y| (0..64).step_by(8).map(move |x| (y, x))) {
+            let (px, py) = (origin[0] + x, origin[1] + y);
+            if py < rows.0 as i32 || py > rows.1 as i32 || px + 7 < columns.0 as i32 || px > columns.1 as i32 {
+                continue;
+            }
+            if tiles[y as usize / 8] >> (x / 8) & 1 == 0 {
+                seen[small as usize] += 1;
+                continue;
+            }
+            hidden[small as usize] += 1;
+            for (s, [dx, dy]) in positions(SAMPLES).iter().enumerate() {
+                let at = std::array::from_fn(|k| (px + k as i32) as f32 + *dx as f32 / 16.0);
+                let z = depth::<Portable>(&plan, &planes, at, [py as f32 + *dy as f32 / 16.0; 8]);
+                for (k, z) in z.into_iter().enumerate() {
+                    let inside = (columns.0 as i32..=columns.1 as i32).contains(&(px + k as i32));
+                    let word = (bin.depth_stencil[s * BIN_PIXELS + pixel_index(x as u32 + k as u32, y as u32)] & 0xff_ffff) as i32;
+                    let passes = if func == compare::LESS { z < word } else { z <= word };
+                    assert!(!(inside && passes), "round {round}: {planes:?} at {} {py}, sample {s}: {z}, {word}", px + k as i32);
+                }
+            }
+        }
+    }
+    assert!(hidden.iter().chain(&seen).all(|&n| n > 500), "hidden {hidden:?}, seen {seen:?}");
 }
 
 fn noise_texture(size: [u32; 2], filters: (bool, bool, Option<bool>), wrap: Wrap) -> TextureBinding {
@@ -449,7 +608,7 @@ fn samples_are_covered_as_the_places_where_they_lie() {
         for samples in [2, 4, 8, 16] {
             for shortcut in [Shortcut::None, Shortcut::Varying(0)] {
                 let colors = one(Canvas { scale: 1, samples }, shortcut);
-                for (s, [x, y]) in crate::device::samples::positions(samples).iter().enumerate() {
+                for (s, [x, y]) in positions(samples).iter().enumerate() {
                     for pixel in 0..200 * 150 {
                         let at = [(pixel % 200 * 16 + 8 + x) as usize, (pixel / 200 * 16 + 8 + y) as usize];
                         let (sample, place) = (colors[s * 200 * 150 + pixel as usize], fine[at[1] * 3200 + at[0]]);
@@ -468,7 +627,8 @@ fn without_multisampling_all_samples_are_the_pixel() {
     let (color, depth) = draw(&vertices, topology::TRIANGLES, flags, 2, Level::best(), Shortcut::None);
     let device = CpuDevice::with(2, Level::best());
     let canvas = Canvas { scale: 1, samples: 4 };
-    let (colors, depths) = draw_state(canvas, &device, &vertices, topology::TRIANGLES, [flags, 0], program(Shortcut::None), Vec::new());
+    let (colors, depths) =
+        draw_state(canvas, &device, &vertices, topology::TRIANGLES, [flags, 0], &[compare::LEQUAL], program(Shortcut::None), Vec::new());
     for s in 0..4 {
         assert!(colors[s * color.len()..][..color.len()] == color);
         assert!(depths[s * depth.len()..][..depth.len()] == depth);

@@ -11,7 +11,7 @@ use super::store::{BIN_PIXELS, BinPixels};
 use super::tile::FULL;
 use crate::program::lanes::LANES;
 
-/// Draws the covered pixels of a tile; false where there are none.
+/// Draws the covered pixels of a tile: the rows that were written; `None` where nothing is covered.
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
 pub fn tile<S: Simd, const MODE: u32>(
@@ -23,12 +23,12 @@ pub fn tile<S: Simd, const MODE: u32>(
     planes: &[[f32; 4]],
     bin: &mut BinPixels,
     tile: Tile<S>,
-) -> bool {
+) -> Option<u32> {
     let Tile { at, place, mut edges, rows: [first, last], allowed } = tile;
     let lod = plan.modulate.is_some_and(|what| what.lod);
     let x = S::add(S::f(place[0] as f32), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
     let depth = DepthRow::<S>::new(planes, x);
-    let mut touched = false;
+    let (mut touched, mut written) = (false, 0);
     // Two rows at a time, those of a quad: neither waits for the other, and rows beyond the triangle's are just not covered.
     let mut row = (first & !1) - 2;
     while row + 2 <= last {
@@ -52,13 +52,14 @@ pub fn tile<S: Simd, const MODE: u32>(
         }
         let masks = !(S::signs(outside[0]) | S::signs(outside[1]) << 8) & 0xffff;
         if masks != 0 {
+            written += 2;
             fragments.push::<S>(source, pixel as u32, masks, lod);
             if fragments.crowded() {
                 flush::<S>(fragments, scene, draw, bin);
             }
         }
     }
-    touched
+    touched.then_some(written)
 }
 
 /// Colours and writes what waits.

@@ -153,11 +153,16 @@ impl<S: Simd> LocalEdges<S> {
         mask
     }
 
+    /// What the edge functions are more at a sample, by its place from the centre in 1/16 pixel: an edge a lane.
+    #[inline(always)]
+    pub fn offset(&self, [x, y]: [i32; 2]) -> S::I {
+        S::sar::<4>(S::iadd(self.low, S::iadd(S::imul(self.a, S::i(x)), S::imul(self.b, S::i(y)))))
+    }
+
     /// The edge functions of a sample, by its place from the centre in 1/16 pixel.
     #[inline(always)]
-    pub fn sample(&self, [x, y]: [i32; 2]) -> Self {
-        let moved = S::iadd(self.low, S::iadd(S::imul(self.a, S::i(x)), S::imul(self.b, S::i(y))));
-        LocalEdges { c: S::iadd(self.c, S::sar::<4>(moved)), ..*self }
+    pub fn sample(&self, place: [i32; 2]) -> Self {
+        LocalEdges { c: S::iadd(self.c, self.offset(place)), ..*self }
     }
 
     /// With a reach that holds for all samples, wherever they lie in their pixels.
@@ -186,10 +191,26 @@ impl<S: Simd> TileRows<S> {
     #[inline(always)]
     pub fn next(&mut self) -> S::I {
         let outside = S::or(S::or(self.values[0], self.values[1]), self.values[2]);
+        self.step();
+        outside
+    }
+
+    /// Goes on to the next row.
+    #[inline(always)]
+    pub fn step(&mut self) {
         for i in 0..3 {
             self.values[i] = S::iadd(self.values[i], self.steps[i]);
         }
-        outside
+    }
+
+    /// Where a sample with such [`LocalEdges::offset`]s is outside, the sign is set; of a tile that is not full.
+    #[inline(always)]
+    pub fn sample(&self, offsets: &[u32; 8]) -> S::I {
+        let mut values = self.values;
+        for i in 0..3 {
+            values[i] = S::iadd(values[i], S::i(offsets[i] as i32));
+        }
+        S::or(S::or(values[0], values[1]), values[2])
     }
 
     /// Coverage of rows `first..=last`, where `first` is the row that it stands at: bit 8 * y + x.
@@ -203,6 +224,21 @@ impl<S: Simd> TileRows<S> {
             mask |= ((!S::signs(self.next()) & 0xff) as u64) << (8 * row);
         }
         mask
+    }
+
+    /// The same by sample, for as many as there are masks.
+    #[inline(always)]
+    pub fn masks(mut self, first: i32, last: i32, offsets: &[[u32; 8]], masks: &mut [u64]) {
+        if self.full {
+            return masks.fill(FULL);
+        }
+        masks.fill(0);
+        for row in first..=last {
+            for (mask, offsets) in masks.iter_mut().zip(offsets) {
+                *mask |= ((!S::signs(self.sample(offsets)) & 0xff) as u64) << (8 * row);
+            }
+            self.step();
+        }
     }
 }
 
