@@ -26,11 +26,16 @@ fn tp_corner(screen: u32, shaded: u32) -> TpCorner {
     return TpCorner(place.xyz, place.w, bitcast<vec2<i32>>(tp_screen[screen * 2u + 1u].xy), shaded);
 }
 
-fn tp_basis(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> TpBasis {
+// Where planes begin in a pixel: at its centre, but for multisampled primitives at its first corner (setup.rs, to_centre).
+fn tp_origin(state_flags: u32) -> f32 {
+    return select(0.5, 0.0, (state_flags & TP_MULTISAMPLE_STATE) != 0u);
+}
+
+fn tp_basis(origin: f32, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> TpBasis {
     let d01 = a.xy - b.xy;
     let d20 = c.xy - a.xy;
     let ooa = tp_reciprocal(tp_mul(d01.x, d20.y) - tp_mul(d20.x, d01.y));
-    return TpBasis(a.x - 0.5, a.y - 0.5, d01.x * ooa, d01.y * ooa, d20.x * ooa, d20.y * ooa);
+    return TpBasis(a.x - origin, a.y - origin, d01.x * ooa, d01.y * ooa, d20.x * ooa, d20.y * ooa);
 }
 
 // a0, d/dx, d/dy of four values given at the corners.

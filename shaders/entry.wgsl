@@ -18,13 +18,22 @@ let textures = WORD(sa, 1);
 //#endif
 var state: TpState;
 //#include state
+// Where planes are evaluated for the pixel's centre (setup.rs, to_centre).
+//#if SAMPLES
+//#if CENTRES
+let several = (flags & TP_MULTISAMPLE) != 0u;
+let to_centre = select(0.0, 0.5, several);
+//#else
+const to_centre = 0.5;
+//#endif
+let x = column_x + to_centre;
+//#else
+let x = column_x;
+//#endif
 // Planes of this triangle.
 //#insert PLANES
 //#if SAMPLES
 // From the centres to the samples: edge functions, and the place where depth is evaluated.
-//#if CENTRES
-let several = (flags & TP_MULTISAMPLE) != 0u;
-//#endif
 let free = WORD(te, 9);
 let low_bits = vec3<i32>(vec3<u32>(
     ((free >> 6u) & 3u) | (((free >> 14u) & 3u) << 2u),

@@ -106,7 +106,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 
     let column = lane;
     let px = origin.x + column;
-    let x = f32(i32(px));
+    let column_x = f32(i32(px));
     let local_x = i32((tile & 7u) * 8u + column);
     let local_top = i32((tile >> 3u) * 8u);
     // From a sample to the next one of the same pixel.

@@ -38,7 +38,7 @@ fn tp_walk(p: TpPrimitive, index: u32, triangle: u32, a: TpCorner, b: TpCorner, 
         first = b.position;
         second = a.position;
     }
-    let t = tp_basis(first, second, c.position);
+    let t = tp_basis(0.5, first, second, c.position);
     let d01 = first.z - second.z;
     let d20 = c.position.z - first.z;
     let dx = tp_mul(d01, t.dy20) - tp_mul(d20, t.dy01);

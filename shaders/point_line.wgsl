@@ -63,8 +63,9 @@ fn tp_point(p: TpPrimitive, index: u32, a: TpCorner, front: bool) {
             planes = tp_full_coverage();
 //#if SMOOTH
             if (smooth_point) {
+                let from_centre = tp_origin(p.flags) - centre;
                 planes = array<vec4<f32>, 3>(
-                    vec4<f32>(0.5 - centre.x, radius + 0.5, 0.5 - centre.y, 1.0), vec4<f32>(1.0, 0.0, 0.0, 0.0), vec4<f32>(0.0, 0.0, 1.0, 0.0));
+                    vec4<f32>(from_centre.x, radius + 0.5, from_centre.y, 1.0), vec4<f32>(1.0, 0.0, 0.0, 0.0), vec4<f32>(0.0, 0.0, 1.0, 0.0));
             }
 //#endif
         }
@@ -130,11 +131,11 @@ fn tp_ends(a: vec2<f32>, b: vec2<f32>, d: vec2<f32>, y_major: bool) -> TpEnds {
 }
 
 // A plane of four values along a line's major axis only.
-fn tp_line_plane(p: vec3<f32>, x_major: bool, stretched: f32, ooa: f32, a: vec4<f32>, b: vec4<f32>) -> array<vec4<f32>, 3> {
+fn tp_line_plane(origin: f32, p: vec3<f32>, x_major: bool, stretched: f32, ooa: f32, a: vec4<f32>, b: vec4<f32>) -> array<vec4<f32>, 3> {
     let along = tp_mul4(tp_mul4(a - b, stretched), ooa);
     let dx = select(vec4<f32>(0.0), along, x_major);
     let dy = select(along, vec4<f32>(0.0), x_major);
-    return array<vec4<f32>, 3>(a - (tp_mul4(dx, p.x - 0.5) + tp_mul4(dy, p.y - 0.5)), dx, dy);
+    return array<vec4<f32>, 3>(a - (tp_mul4(dx, p.x - origin) + tp_mul4(dy, p.y - origin)), dx, dy);
 }
 
 // A line: a parallelogram as wide as the line in its minor direction.
@@ -154,7 +155,8 @@ fn tp_line(p: TpPrimitive, index: u32, a: TpCorner, b: TpCorner, front: bool) {
     let slope = tp_divide(select(d.x, d.y, x_major), major);
     let stretched = major * (1.0 + tp_mul(slope, slope));
     let ooa = tp_reciprocal(area);
-    let zw = tp_line_plane(head, x_major, stretched, ooa, vec4<f32>(head.z, a.inv_w, 0.0, 0.0), vec4<f32>(tail.z, b.inv_w, 0.0, 0.0));
+    let origin = tp_origin(p.flags);
+    let zw = tp_line_plane(origin, head, x_major, stretched, ooa, vec4<f32>(head.z, a.inv_w, 0.0, 0.0), vec4<f32>(tail.z, b.inv_w, 0.0, 0.0));
     tp_planes[tp_next_planes] = vec4<f32>(zw[0].x, zw[1].x, zw[2].x, zw[0].y);
     tp_planes[tp_next_planes + 1u] = vec4<f32>(zw[1].y, zw[2].y, 0.0, 0.0);
 //#if SMOOTH
@@ -174,7 +176,7 @@ fn tp_line(p: TpPrimitive, index: u32, a: TpCorner, b: TpCorner, front: bool) {
             planes = tp_full_coverage();
 //#if SMOOTH
             if (smooth_line) {
-                let q = vec2<f32>(0.5) - middle;
+                let q = vec2<f32>(origin) - middle;
                 let a0 = tp_mul(q.x, -u.y) + tp_mul(q.y, u.x);
                 let b0 = tp_mul(q.x, u.x) + tp_mul(q.y, u.y);
                 planes = array<vec4<f32>, 3>(vec4<f32>(a0, across, b0, along), vec4<f32>(-u.y, 0.0, u.x, 0.0), vec4<f32>(u.x, 0.0, u.y, 0.0));
@@ -184,7 +186,7 @@ fn tp_line(p: TpPrimitive, index: u32, a: TpCorner, b: TpCorner, front: bool) {
             let perspective = input.y == TP_INTERPOLATE_PERSPECTIVE;
             let va = tp_mul4(tp_shaded[a.at + input.x], select(1.0, a.inv_w, perspective));
             let vb = tp_mul4(tp_shaded[b.at + input.x], select(1.0, b.inv_w, perspective));
-            planes = tp_line_plane(head, x_major, stretched, ooa, va, vb);
+            planes = tp_line_plane(origin, head, x_major, stretched, ooa, va, vb);
         }
         tp_write_planes(k, planes);
     }

@@ -1,12 +1,13 @@
             // One pixel of several samples: coverage, depth and stencil by sample, colour once, at the centre. The twin of
             // src/raster/samples.rs. A bit a sample in all masks.
+            let y = f32(py) + to_centre;
             var wanted = allowed;
 //#if REJECTS
             // A pixel all of whose samples are nearer than the triangle is passed by.
 //#if OFFSET
-            let nearest = tp_fma(f32(py), p2, tp_fma(x, p1, p0)) + p6 - depth_slack;
+            let nearest = tp_fma(y, p2, tp_fma(x, p1, p0)) + p6 - depth_slack;
 //#else
-            let nearest = tp_fma(f32(py), p2, tp_fma(x, p1, p0)) - depth_slack;
+            let nearest = tp_fma(y, p2, tp_fma(x, p1, p0)) - depth_slack;
 //#endif
             wanted = wanted && tp_quantise(state, nearest) <= tp_furthest[r] + 1u;
 //#endif
@@ -29,7 +30,6 @@
             cover = select(0u, cover, wanted);
 //#endif
             if (cover != 0u) {
-                let y = f32(py);
                 //#insert DEPTH
 //#if DEPTH_BUFFER
 //#each $

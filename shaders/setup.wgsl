@@ -55,7 +55,7 @@ fn tp_triangle(p: TpPrimitive, index: u32, a: TpCorner, b: TpCorner, c: TpCorner
         offset = tp_polygon_offset(p.state, a.position, b.position, c.position);
     }
 //#endif
-    let basis = tp_basis(a.position, b.position, c.position);
+    let basis = tp_basis(tp_origin(p.flags), a.position, b.position, c.position);
     let zw = tp_depth_planes(basis, a, b, c);
     tp_planes[tp_next_planes] = vec4<f32>(zw[0].x, zw[1].x, zw[2].x, zw[0].y);
     tp_planes[tp_next_planes + 1u] = vec4<f32>(zw[1].y, zw[2].y, offset, 0.0);

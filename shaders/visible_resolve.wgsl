@@ -68,7 +68,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     }
     tp_provoking = p.shaded.z;
     let flags = select(0u, TP_FRONT, front);
-    let basis = tp_basis(va.position, vb.position, vc.position);
+    let basis = tp_basis(0.5, va.position, vb.position, vc.position);
     //#insert PLANES
     // The draw's states.
     let draw = tp.draws + p.draw * TP_DRAW_WORDS;

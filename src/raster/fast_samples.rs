@@ -57,7 +57,7 @@ pub fn draw<S: Simd, const N: usize>(
         S::store_u(centre.offset(place), offsets);
     }
     let extent = Extent::new(plan, t, bin);
-    let near = Nearest::<S>::new(t, planes, bin.origin);
+    let near = Nearest::<S>::new(plan, t, planes, bin.origin);
     for ty in extent.tiles(extent.rows) {
         let (first, last) = extent.rows_of(ty);
         let mut tiles = extent.tile_columns();
@@ -104,6 +104,7 @@ impl<const N: usize> Brush<'_, N> {
         for first in (0..covered.count).step_by(8) {
             let bytes = eight(&covered.at, first);
             let (at, [x, y]) = small::places::<S>(bytes, place, bin.origin);
+            let (x, y) = (S::add(x, S::f(self.plan.centre)), S::add(y, S::f(self.plan.centre)));
             let mut pixels = Eight::<S, N> { at, x, y, outside: [S::i(0); N] };
             let packed = u64::from_le_bytes(*bytes);
             let rows = (packed >> 3 & 0x0707_0707_0707_0707).to_le_bytes();
@@ -126,7 +127,7 @@ impl<const N: usize> Brush<'_, N> {
         let fast::Tile { at, place, mut edges, rows: [first, last], allowed } = tile;
         let plan = self.plan;
         let &[head, tail] = self.planes.first_chunk().expect("planes of depth");
-        let x = S::add(S::f(place[0] as f32), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
+        let x = S::add(S::f(place[0] as f32 + plan.centre), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
         let mut across = [S::f(0.0); N];
         for (across, &[dx, _]) in across.iter_mut().zip(self.places) {
             *across = S::fma(S::add(x, S::f(dx as f32 / 16.0)), S::f(head[1]), S::f(head[0]));
@@ -148,7 +149,7 @@ impl<const N: usize> Brush<'_, N> {
             }
             touched = true;
             let pixel = at + row as usize * 8;
-            let y = (place[1] + row) as f32;
+            let y = (place[1] + row) as f32 + plan.centre;
             if plan.fast_samples & DEPTH != 0 {
                 all = S::i(-1);
                 for (s, &[_, dy]) in self.places.iter().enumerate() {

@@ -31,7 +31,7 @@ impl Chunk {
         let flag = |on: bool, flag: u32| if on { flag } else { 0 };
         let offset =
             if flags & raster_flags::OFFSET_FILL != 0 { polygon_offset(context.state, [a.position, b.position, c.position]) } else { 0.0 };
-        let basis = Basis::new([a.position, b.position, c.position]);
+        let basis = Basis::new(context.state, [a.position, b.position, c.position]);
         let planes = self.planes.len() as u32;
         // Depth and 1/w side by side.
         let side = |v: &ScreenVertex| [v.position[2], v.inv_w, 0.0, 0.0];

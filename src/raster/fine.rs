@@ -300,7 +300,7 @@ fn tiles<S: Simd, const MODE: u32>(
     let source = Source { work: worker.work, planes: t.planes, perspective: t.flags & triangle_flags::PERSPECTIVE != 0 };
     // With one sample a pixel a small triangle is drawn in about the time that it takes to find out that it is hidden.
     let worth = MODE == fast::NONE || MODE & fast::DEPTH != 0 && (MODE & fast::TEXTURE == 0 || !small::fits(plan, t));
-    let near = if worth && plan.hi_z { Some(Nearest::<S>::new(t, planes, bin.origin)) } else { None };
+    let near = if worth && plan.hi_z { Some(Nearest::<S>::new(plan, t, planes, bin.origin)) } else { None };
     for ty in extent.tiles(extent.rows) {
         let (first, last) = extent.rows_of(ty);
         let mut tiles = extent.tile_columns();

@@ -37,6 +37,8 @@ impl Default for HiZ {
 /// Where a triangle's depth is least in a bin: a column of samples by column of tiles, and what the row follows from.
 pub struct Nearest<S: Simd> {
     x: S::F,
+    /// See [`Plan::centre`].
+    centre: f32,
     /// Row 0 of the bin on the surface.
     origin: i32,
     /// First and last row of samples, on the surface.
@@ -60,13 +62,13 @@ fn span(packed: u32) -> [i32; 2] {
 impl<S: Simd> Nearest<S> {
     /// Of a triangle in a bin at `origin`.
     #[inline(always)]
-    pub fn new(t: &Triangle, planes: &[[f32; 4]], origin: [i32; 2]) -> Self {
+    pub fn new(plan: &Plan, t: &Triangle, planes: &[[f32; 4]], origin: [i32; 2]) -> Self {
         let slope = planes[0][1];
         let [first, last] = span(t.columns);
         let tiles =
             S::add(S::f(origin[0] as f32 + if slope < 0.0 { 7.0 } else { 0.0 }), S::load(&[0.0, 8.0, 16.0, 24.0, 32.0, 40.0, 48.0, 56.0]));
-        let x = S::add(S::clamp(tiles, S::f(first as f32), S::f(last as f32)), S::f(least(slope, 0.0, 0.0)));
-        Nearest { x, origin: origin[1], rows: span(t.rows), down: planes[0][2] >= 0.0 }
+        let x = S::add(S::clamp(tiles, S::f(first as f32), S::f(last as f32)), S::f(least(slope, plan.centre, plan.centre)));
+        Nearest { x, centre: plan.centre, origin: origin[1], rows: span(t.rows), down: planes[0][2] >= 0.0 }
     }
 
     /// The least depths of a row of tiles, those that the triangle's columns and rows reach.
@@ -74,7 +76,7 @@ impl<S: Simd> Nearest<S> {
     fn row(&self, plan: &Plan, planes: &[[f32; 4]], ty: i32) -> S::I {
         let first = self.origin + ty * 8;
         let (first, last) = (first.max(self.rows[0]), (first + 7).min(self.rows[1]));
-        let y = if self.down { first as f32 - REACH } else { last as f32 + REACH };
+        let y = self.centre + if self.down { first as f32 - REACH } else { last as f32 + REACH };
         depth::<S>(plan, planes, self.x, S::f(y))
     }
 }
@@ -146,7 +148,7 @@ impl HiZ {
     pub fn hides<S: Simd>(&mut self, plan: &Plan, t: &Triangle, planes: &[[f32; 4]], under: &Under, bin: &BinPixels) -> bool {
         let end = |slope: f32, packed: u32| {
             let [first, last] = span(packed);
-            least(slope, first as f32, last as f32)
+            least(slope, first as f32, last as f32) + plan.centre
         };
         let z = depth::<S>(plan, planes, S::f(end(planes[0][1], t.columns)), S::f(end(planes[0][2], t.rows)));
         let behind = |of: &[u32; BIN_TILES]| under.0.iter().fold(0, |most, &tile| most.max(of[tile % BIN_TILES]));

@@ -98,8 +98,8 @@ impl Interpolator {
             let at = [[x, y], [even_x, even_y], [S::or(even_x, one), even_y], [even_x, S::or(even_y, one)]];
             for place in 0..at.len() {
                 if places >> place & 1 != 0 {
-                    S::store(S::to_f(at[place][0]), eight_mut(&mut self.at[place][0], group * LANES));
-                    S::store(S::to_f(at[place][1]), eight_mut(&mut self.at[place][1], group * LANES));
+                    S::store(S::add(S::to_f(at[place][0]), S::f(plan.centre)), eight_mut(&mut self.at[place][0], group * LANES));
+                    S::store(S::add(S::to_f(at[place][1]), S::f(plan.centre)), eight_mut(&mut self.at[place][1], group * LANES));
                 }
             }
         }
@@ -153,13 +153,13 @@ impl Interpolator {
             for row in rows {
                 let planes = scene.planes(row.work, row.planes);
                 let (head, tail) = (planes[0], planes[1]);
-                let y = row.place[1] as f32;
+                let y = row.place[1] as f32 + plan.centre;
                 each_fragment(row, |lane, x| {
-                    let x = x as f32;
+                    let x = x as f32 + plan.centre;
                     let value = match what {
                         Input::Position => {
                             let z = y.mul_add(head[2], x.mul_add(head[1], head[0])) + tail[2];
-                            [x + 0.5, y + 0.5, z, y.mul_add(tail[1], x.mul_add(tail[0], head[3]))]
+                            [x + (0.5 - plan.centre), y + (0.5 - plan.centre), z, y.mul_add(tail[1], x.mul_add(tail[0], head[3]))]
                         }
                         _ => [row.front as u32 as f32, 0.0, 0.0, 0.0],
                     };

@@ -169,7 +169,7 @@ pub mod raster_flags {
     pub const WINDOW_SPACE: u32 = 1 << 9;
     /// Near and far planes do not clip (ARB_depth_clamp; pixel rectangles).
     pub const NO_Z_CLIP: u32 = 1 << 10;
-    /// Each sample of a pixel is covered on its own; otherwise all are where the pixel's centre is.
+    /// Each sample of a pixel is covered on its own; otherwise all are where the pixel's centre is. Only on surfaces with several samples.
     pub const MULTISAMPLE: u32 = 1 << 11;
     /// Units of polygon offset are steps of floating-point depths, which depend on the polygon.
     pub const FLOAT_DEPTH: u32 = 1 << 12;

@@ -285,7 +285,7 @@ pub fn run<S: Simd>(scene: &Scene, plan: &Plan, what: Modulate, texture: &Prepar
     for g in 0..groups {
         let group = Group::<S>::new(eight(&f.triangle, g * LANES), &blocks);
         let [x, y] = places::<S>(S::load_u(eight(&f.at, g * LANES)), origin);
-        let here = [S::to_f(x), S::to_f(y)];
+        let here = [S::add(S::to_f(x), S::f(plan.centre)), S::add(S::to_f(y), S::f(plan.centre))];
         let w = group.over_w(&f.w, here);
         let [s, t] = Coordinates::new(&group, plan.modes[0]).project(here, w);
         S::store(s, &mut f.coord[0][g]);
@@ -356,7 +356,9 @@ fn quad_lambdas<S: Simd>(
     let planes = Coordinates::new(&group, plan.modes[0]);
     // The quad's first pixel, the next in x, the next in y.
     let ([x, y], one) = (places::<S>(S::load_u(eight(&f.quad_at, first)), origin), S::i(1));
-    let (x0, y0, x1, y1) = (S::to_f(x), S::to_f(y), S::to_f(S::or(x, one)), S::to_f(S::or(y, one)));
+    let centre = S::f(plan.centre);
+    let (x0, y0) = (S::add(S::to_f(x), centre), S::add(S::to_f(y), centre));
+    let (x1, y1) = (S::add(S::to_f(S::or(x, one)), centre), S::add(S::to_f(S::or(y, one)), centre));
     let here = planes.project([x0, y0], group.over_w(&f.w, [x0, y0]));
     let right = planes.project([x1, y0], group.over_w(&f.w, [x1, y0]));
     let down = planes.project([x0, y1], group.over_w(&f.w, [x0, y1]));

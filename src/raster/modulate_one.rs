@@ -28,8 +28,8 @@ pub fn run<S: Simd>(plan: &Plan, what: Modulate, texture: &Prepared, f: &mut Fra
     // A loop for each part: in one for all, what waits for a division would hold up what waits for nothing.
     let groups = f.groups();
     match plan.modes[0] == interpolation::PERSPECTIVE {
-        true => coordinates::<S, true>(f, block, origin),
-        false => coordinates::<S, false>(f, block, origin),
+        true => coordinates::<S, true>(plan, f, block, origin),
+        false => coordinates::<S, false>(plan, f, block, origin),
     }
     let [s, t, _] = f.coord.each_ref().map(|c| &c[..groups]);
     texture.flat::<S>([s, t], None, &mut f.texels[..groups]);
@@ -41,7 +41,7 @@ pub fn run<S: Simd>(plan: &Plan, what: Modulate, texture: &Prepared, f: &mut Fra
 
 /// Places, and s and t.
 #[inline(always)]
-fn coordinates<S: Simd, const PERSPECTIVE: bool>(f: &mut Fragments, block: &Block, origin: [i32; 2]) {
+fn coordinates<S: Simd, const PERSPECTIVE: bool>(plan: &Plan, f: &mut Fragments, block: &Block, origin: [i32; 2]) {
     let [a0, dx, dy, _] = f.w[0];
     // Of 1/w, s, t and q.
     let planes: [Plane<S>; 4] = [
@@ -58,17 +58,19 @@ fn coordinates<S: Simd, const PERSPECTIVE: bool>(f: &mut Fragments, block: &Bloc
             let [first, row] = place(at[0], origin);
             if first != column {
                 column = first;
-                let x = S::add(S::f(first as f32), S::load(&LANE));
+                let x = S::add(S::f(first as f32 + plan.centre), S::load(&LANE));
                 for k in 0..4 {
                     across[k] = S::fma(x, planes[k][1], planes[k][0]);
                 }
                 values = across;
             }
-            f.place[1][g][0] = row as f32;
-            S::f(row as f32)
+            let y = row as f32 + plan.centre;
+            f.place[1][g][0] = y;
+            S::f(y)
         } else {
             let [column, row] = places::<S>(S::load_u(at), origin);
-            let (column, row) = (S::to_f(column), S::to_f(row));
+            let centre = S::f(plan.centre);
+            let (column, row) = (S::add(S::to_f(column), centre), S::add(S::to_f(row), centre));
             for k in 0..4 {
                 values[k] = S::fma(column, planes[k][1], planes[k][0]);
             }
@@ -116,7 +118,7 @@ fn colors<S: Simd, const PERSPECTIVE: bool>(
             let [first, _] = place(f.at[g * LANES], origin);
             if first != column {
                 column = first;
-                let x = S::add(S::f(first as f32), S::load(&LANE));
+                let x = S::add(S::f(first as f32 + plan.centre), S::load(&LANE));
                 for k in 0..4 {
                     across[k] = S::fma(S::spread(x, k), dx, a0);
                 }

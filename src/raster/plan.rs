@@ -1,6 +1,7 @@
 //! How a draw's fragments are done on the CPU, decided once a batch.
 
 use super::layout::*;
+use super::setup::to_centre;
 use super::{blend, fast};
 use crate::device::{ColorFormat, DepthFormat, SurfaceFormat};
 use crate::draw::Batch;
@@ -43,6 +44,8 @@ pub struct Plan<'a> {
     pub depth_bias: i32,
     /// What is farther than the stored depths leaves no trace: [`super::hi_z`] may leave it out.
     pub hi_z: bool,
+    /// Added to a pixel's column and row where planes are evaluated for its centre: see [`to_centre`].
+    pub centre: f32,
     /// Depths may become farther.
     pub farther: bool,
     /// Vec4 of a varying's planes that are interpolated: mode by varying.
@@ -100,6 +103,7 @@ impl<'a> Plan<'a> {
             fast_samples,
             depth_bias: (state.depth_func == compare::LEQUAL) as i32,
             hi_z: tested && nearer && state.flags & fragment_flags::STENCIL_TEST == 0 && !format.depth.is_float() && !program.writes_depth,
+            centre: to_centre(raster),
             farther: tested && state.flags & fragment_flags::DEPTH_WRITE != 0 && !keeps,
             modes: draw.record.varyings.map(|v| v >> 16 & 3),
         }

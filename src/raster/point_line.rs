@@ -3,7 +3,7 @@
 //! direction, its ends moved so that the first and last pixel obey the diamond-exit rule (3.4.1).
 
 use super::layout::*;
-use super::setup::{Chunk, Context, Corner, FULL_COVERAGE, bounds};
+use super::setup::{Chunk, Context, Corner, FULL_COVERAGE, bounds, to_centre};
 use super::vertex::{COORDINATE_RANGE, snap};
 
 fn in_range(v: f32) -> f32 {
@@ -135,7 +135,8 @@ impl Chunk {
                 interpolation::FLAT => context.provoking[at],
                 interpolation::PERSPECTIVE => a.shaded[at].map(|v| v * a.screen.inv_w),
                 interpolation::COVERAGE => {
-                    let planes = [[0.5 - centre[0], radius + 0.5, 0.5 - centre[1], 1.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+                    let origin = 0.5 - to_centre(state);
+                    let planes = [[origin - centre[0], radius + 0.5, origin - centre[1], 1.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
                     self.planes.extend(if smooth { planes } else { FULL_COVERAGE });
                     continue;
                 }
@@ -205,8 +206,9 @@ impl Chunk {
         if !(area > 0.0 && area.is_finite()) {
             return;
         }
+        let origin = 0.5 - to_centre(state);
         let half = (state.line_width.clamp(1.0, 255.0) + 0.5) as i32 * 256 / 2;
-        let smooth = (state.flags & raster_flags::LINE_SMOOTH != 0).then(|| SmoothLine::new(p, q, state.line_width));
+        let smooth = (state.flags & raster_flags::LINE_SMOOTH != 0).then(|| SmoothLine::new(p, q, state.line_width, origin));
         let planes = self.planes.len() as u32;
         // Along the major axis only, stretched so that it reaches the other end.
         let x_major = dx.abs() >= dy.abs();
@@ -215,7 +217,7 @@ impl Chunk {
         let plane = |a0: f32, a1: f32| {
             let along = (a0 - a1) * stretched * ooa;
             let (ddx, ddy) = if x_major { (along, 0.0) } else { (0.0, along) };
-            [a0 - (ddx * (p[0] - 0.5) + ddy * (p[1] - 0.5)), ddx, ddy]
+            [a0 - (ddx * (p[0] - origin) + ddy * (p[1] - origin)), ddx, ddy]
         };
         let (z, w) = (plane(p[2], q[2]), plane(a.screen.inv_w, b.screen.inv_w));
         self.planes.push([z[0], z[1], z[2], w[0]]);
@@ -262,7 +264,7 @@ struct SmoothLine {
 }
 
 impl SmoothLine {
-    fn new(p: [f32; 3], q: [f32; 3], width: f32) -> SmoothLine {
+    fn new(p: [f32; 3], q: [f32; 3], width: f32, origin: f32) -> SmoothLine {
         let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
         let length = (dx * dx + dy * dy).sqrt();
         // The unit vector along the line; across it is turned by a quarter.
@@ -271,7 +273,7 @@ impl SmoothLine {
         let (across, along) = (0.5 * width.clamp(1.0, 255.0) + 0.5, 0.5 * length + 0.5);
         let corner = |a: f32, l: f32| [snap(middle_x + l * ux - a * uy), snap(middle_y + l * uy + a * ux)];
         let corners = [corner(-across, -along), corner(-across, along), corner(across, along), corner(across, -along)];
-        let at = |gx: f32, gy: f32| (0.5 - middle_x) * gx + (0.5 - middle_y) * gy;
+        let at = |gx: f32, gy: f32| (origin - middle_x) * gx + (origin - middle_y) * gy;
         SmoothLine {
             x: corners.map(|c| c[0]),
             y: corners.map(|c| c[1]),

@@ -33,11 +33,11 @@ fn union(covered: &Covered) -> u32 {
     covered.iter().fold(0, |all, &s| all | s as u32)
 }
 
-/// Where a sample of eight pixels lies.
+/// Where planes are evaluated for a sample of eight pixels.
 #[inline(always)]
-fn sample_place<S: Simd>(place: [i32; 2], [x, y]: [i32; 2]) -> (S::F, S::F) {
-    let columns = S::add(S::f(place[0] as f32), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
-    (S::add(columns, S::f(x as f32 / 16.0)), S::f(place[1] as f32 + y as f32 / 16.0))
+fn sample_place<S: Simd>(plan: &Plan, place: [i32; 2], [x, y]: [i32; 2]) -> (S::F, S::F) {
+    let columns = S::add(S::f(place[0] as f32 + plan.centre), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
+    (S::add(columns, S::f(x as f32 / 16.0)), S::f(place[1] as f32 + plan.centre + y as f32 / 16.0))
 }
 
 /// Walks the tiles of a triangle in a bin.
@@ -62,7 +62,7 @@ pub fn tiles<S: Simd>(worker: &mut Worker, scene: &Scene, plan: &Plan, t: &Trian
         }
     }
     let extent = Extent::new(plan, t, bin);
-    let near = Nearest::<S>::new(t, planes, bin.origin);
+    let near = Nearest::<S>::new(plan, t, planes, bin.origin);
     for ty in extent.tiles(extent.rows) {
         let (first, last) = extent.rows_of(ty);
         let mut tiles = extent.tile_columns();
@@ -119,7 +119,7 @@ fn row_of_samples<S: Simd>(
     }
     match plan.direct {
         Some(k) => {
-            let (x, y) = sample_place::<S>(place.place, [0, 0]);
+            let (x, y) = sample_place::<S>(plan, place.place, [0, 0]);
             let color = direct_color::<S>(scene, plan, t, planes, k, x, y);
             write::<S>(plan, scene, planes, bin, place, covered, color, None);
         }
@@ -150,7 +150,7 @@ fn test<S: Simd>(
         let z = computed.unwrap_or_else(
             #[inline(always)]
             || {
-                let (x, y) = sample_place::<S>(place.place, if place.several { at } else { [0, 0] });
+                let (x, y) = sample_place::<S>(plan, place.place, if place.several { at } else { [0, 0] });
                 depth::<S>(plan, planes, x, y)
             },
         );

@@ -240,7 +240,7 @@ impl Chunk {
         let planes = self.planes.len() as u32;
         let places = v.map(|c| c.screen.position);
         let offset = if offset { polygon_offset(context.state, places) } else { 0.0 };
-        let basis = Basis::new(places);
+        let basis = Basis::new(context.state, places);
         let z = basis.plane(places.map(|p| p[2]));
         let w = basis.plane(v.map(|c| c.screen.inv_w));
         self.planes.push([z[0], z[1], z[2], w[0]]);
@@ -326,6 +326,13 @@ pub fn bounds(x: [i32; 3], y: [i32; 3], state: &RasterState) -> Option<(u32, u32
     Some((columns, rows, cut | if multisample { triangle_flags::MULTISAMPLE } else { 0 }))
 }
 
+/// From a pixel's first corner, where its planes begin, to where they are evaluated for its centre: the centre is their beginning, but for
+/// multisampled primitives, as OSMesa has it. Sums differ in their last bits.
+#[inline(always)]
+pub fn to_centre(state: &RasterState) -> f32 {
+    if state.flags & raster_flags::MULTISAMPLE != 0 { 0.5 } else { 0.0 }
+}
+
 /// What all planes of a triangle share.
 pub struct Basis {
     x0c: f32,
@@ -339,13 +346,14 @@ pub struct Basis {
 impl Basis {
     /// From the unsnapped places.
     #[inline(always)]
-    pub fn new(p: [[f32; 3]; 3]) -> Basis {
+    pub fn new(state: &RasterState, p: [[f32; 3]; 3]) -> Basis {
+        let origin = 0.5 - to_centre(state);
         let (dx01, dy01) = (p[0][0] - p[1][0], p[0][1] - p[1][1]);
         let (dx20, dy20) = (p[2][0] - p[0][0], p[2][1] - p[0][1]);
         let ooa = 1.0 / (dx01 * dy20 - dx20 * dy01);
         Basis {
-            x0c: p[0][0] - 0.5,
-            y0c: p[0][1] - 0.5,
+            x0c: p[0][0] - origin,
+            y0c: p[0][1] - origin,
             dx01_ooa: dx01 * ooa,
             dy01_ooa: dy01 * ooa,
             dx20_ooa: dx20 * ooa,

@@ -394,7 +394,7 @@ fn only_what_fails_at_every_sample_is_hidden() {
     let canvas = Canvas { scale: 1, samples: SAMPLES };
     let batches = FUNCS.map(|func| {
         let program = program(Shortcut::Varying(0));
-        batch(canvas, &soup(1, 3, 1.0), topology::TRIANGLES, [TESTED, 0], &[func], program, Vec::new())
+        batch(canvas, &soup(1, 3, 1.0), topology::TRIANGLES, [TESTED, raster_flags::MULTISAMPLE], &[func], program, Vec::new())
     });
     for round in 0..1500 {
         let func = FUNCS[round % 2];
@@ -427,7 +427,7 @@ fn only_what_fails_at_every_sample_is_hidden() {
             let behind = hi_z.hides::<Portable>(&plan, &t, &planes, &Under::new(&t, origin), &bin);
             tiles = [if behind { 0xff } else { 0 }; 8];
         } else {
-            let near = Nearest::<Portable>::new(&t, &planes, origin);
+            let near = Nearest::<Portable>::new(&plan, &t, &planes, origin);
             for (ty, tiles) in tiles.iter_mut().enumerate() {
                 *tiles = !hi_z.visible::<Portable>(&plan, &planes, &near, 0xff, ty as i32, &bin) & 0xff;
             }
@@ -443,8 +443,8 @@ fn only_what_fails_at_every_sample_is_hidden() {
             }
             hidden[small as usize] += 1;
             for (s, [dx, dy]) in positions(SAMPLES).iter().enumerate() {
-                let at = std::array::from_fn(|k| (px + k as i32) as f32 + *dx as f32 / 16.0);
-                let z = depth::<Portable>(&plan, &planes, at, [py as f32 + *dy as f32 / 16.0; 8]);
+                let at = std::array::from_fn(|k| (px + k as i32) as f32 + plan.centre + *dx as f32 / 16.0);
+                let z = depth::<Portable>(&plan, &planes, at, [py as f32 + plan.centre + *dy as f32 / 16.0; 8]);
                 for (k, z) in z.into_iter().enumerate() {
                     let inside = (columns.0 as i32..=columns.1 as i32).contains(&(px + k as i32));
                     let word = (bin.depth_stencil[s * BIN_PIXELS + pixel_index(x as u32 + k as u32, y as u32)] & 0xff_ffff) as i32;

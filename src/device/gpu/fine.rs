@@ -180,7 +180,8 @@ impl FineKey {
         // Pixels whose samples are all nearer than a triangle are passed by, on a GPU: where an `if` saves nothing, the look costs. With eight
         // samples, one branch behind coverage is faster than two.
         let nearer_wins = matches!(self.depth_func, Some(compare::LESS | compare::LEQUAL)) && !on(feature::MIXED);
-        let rejects = self.samples > 1 && shape.vectors() && nearer_wins && on(feature::DEPTH_TEST) && !writes_depth && !on(feature::STENCIL_TEST);
+        let rejects =
+            self.samples > 1 && shape.vectors() && nearer_wins && on(feature::DEPTH_TEST) && !writes_depth && !on(feature::STENCIL_TEST);
         options.flag("REJECTS", rejects);
         options.flag("REJECTS_LATE", rejects && self.samples == 8);
         let mut extra = format!("{}const TP_TEXEL_WORDS = {}u;\n", round_constant(shape), shape.texel_words);

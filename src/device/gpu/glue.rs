@@ -151,11 +151,13 @@ let pg{g}_high = bitcast<f32>(u32(pg{g} >> 32u));",
         return glue;
     }
     let vec4 = |first: u32| format!("vec4<f32>(p{}, p{}, p{}, p{})", first, first + 1, first + 2, first + 3);
+    let several = key.samples > 1;
+    let to_centre = if several { " + to_centre" } else { "" };
     let quad = inputs.iter().any(|i| matches!(i, Input::Quad(..)));
     {
         let columns = if hoist { &mut glue.planes } else { &mut glue.shade };
         if quad {
-            columns.push_str("let qx = f32(i32(px & ~1u));\nlet qx1 = qx + 1.0;\n");
+            let _ = writeln!(columns, "let qx = f32(i32(px & ~1u)){to_centre};\nlet qx1 = qx + 1.0;");
             if needs_w && !ratios {
                 let _ = writeln!(columns, "let qwx = {quad_fma}(qx, p4, p3);\nlet qwx1 = {quad_fma}(qx1, p4, p3);");
             }
@@ -181,7 +183,7 @@ let pg{g}_high = bitcast<f32>(u32(pg{g} >> 32u));",
         let _ = writeln!(shade, "let w = {};\nlet reciprocal = tp_reciprocal(w);", along_y('w', 5));
     }
     if quad {
-        shade.push_str("let qy = f32(py & ~1);\nlet qy1 = qy + 1.0;\n");
+        let _ = writeln!(shade, "let qy = f32(py & ~1){to_centre};\nlet qy1 = qy + 1.0;");
         if needs_w && !ratios {
             let _ = writeln!(
                 shade,
@@ -211,6 +213,7 @@ let pg{g}_high = bitcast<f32>(u32(pg{g} >> 32u));",
     let mut arguments: Vec<String> = Vec::new();
     for (i, input) in inputs.iter().enumerate() {
         let value = match *input {
+            Input::Position if several => "vec4<f32>(x + (0.5 - to_centre), y + (0.5 - to_centre), z, w)".to_string(),
             Input::Position => "vec4<f32>(x + 0.5, y + 0.5, z, w)".to_string(),
             Input::Facing => "vec4<f32>(select(0.0, 1.0, (flags & TP_FRONT) != 0u), 0.0, 0.0, 0.0)".to_string(),
             Input::Varying(k) => at(k, "v", "y", "reciprocal"),
