@@ -298,8 +298,9 @@ fn tiles<S: Simd, const MODE: u32>(
     let local = LocalEdges::<S>::new(t, ox, oy);
     let extent = Extent::new(plan, t, bin);
     let source = Source { work: worker.work, planes: t.planes, perspective: t.flags & triangle_flags::PERSPECTIVE != 0 };
-    // With one sample a pixel a small triangle is drawn in about the time that it takes to find out that it is hidden.
-    let worth = MODE == fast::NONE || MODE & fast::DEPTH != 0 && (MODE & fast::TEXTURE == 0 || !small::fits(plan, t));
+    // Textured meshes hide little of themselves: with one sample a pixel only their large triangles are worth the look.
+    let large = |span: u32| (span >> 16) - (span & 0xffff) >= 4 * TILE_SIZE;
+    let worth = MODE == fast::NONE || MODE & fast::DEPTH != 0 && (MODE & fast::TEXTURE == 0 || large(t.columns) && large(t.rows));
     let near = if worth && plan.hi_z { Some(Nearest::<S>::new(plan, t, planes, bin.origin)) } else { None };
     for ty in extent.tiles(extent.rows) {
         let (first, last) = extent.rows_of(ty);
