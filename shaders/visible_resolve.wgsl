@@ -6,19 +6,44 @@
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let tile = (group.x + group.y * 32768u) * (TP_LANES / 64u) + lane / 64u;
-    let columns = (tp.size.x + 7u) / 8u;
-    let px = (tile % columns) * 8u + (lane & 7u);
-    let row = (tile / columns) * 8u + ((lane >> 3u) & 7u);
-    if (px >= tp.size.x || row >= tp.size.y) {
+//#if SET_UP
+    // The rectangle of all triangles.
+    let low = vec2<u32>(tp.clear_min);
+    let high = vec2<u32>(tp.clear_max);
+//#else
+    const low = vec2<u32>(0u);
+    let high = tp.size;
+//#endif
+//#if ONE_DRAW
+    // As long as all lanes are there: each loads a word of the draw's states, for its subgroup.
+    let column = lane & 7u;
+    let draw = tp.draws;
+    const tp_fresh = true;
+    var tp_kept: array<u32, 32>;
+    //#include resolve_state
+//#endif
+    let columns = (high.x - low.x + 7u) / 8u;
+    let px = low.x + (tile % columns) * 8u + (lane & 7u);
+    let row = low.y + (tile / columns) * 8u + ((lane >> 3u) & 7u);
+    if (px >= high.x || row >= high.y) {
         return;
     }
     let py = i32(row);
     let at = row * tp.size.x + px;
+//#if SET_UP
+    let both = tp_keys[at];
+    let key = vec2<u32>(u32(both & 0xfffffffflu), u32(both >> 32u));
+//#else
     let key = tp_keys[at];
+//#endif
     if ((key.x & key.y) == 0xffffffffu) {
         return;
     }
+//#if SET_UP
+    tp_keys[at] = ~0lu;
+//#else
     tp_keys[at] = vec2<u32>(0xffffffffu);
+//#endif
     let old_depth = tp_depth[at];
     let depth = key.y >> 8u;
 //#if LEQUAL
@@ -28,11 +53,26 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     let order = key;
     let passes = depth < (old_depth & 0xffffffu);
 //#endif
-    if (!passes || tp_indirect[TP_FAILED] != 0u) {
+//#if SET_UP
+    // What the host has set up always fits.
+    let stopped = false;
+//#else
+    let stopped = tp_indirect[TP_FAILED] != 0u;
+//#endif
+    if (!passes || stopped) {
         return;
     }
     tp_depth[at] = (old_depth & 0xff000000u) | depth;
     let index = ((order.y & 0xffu) << 24u) | (order.x >> 8u);
+//#if SET_UP
+    let base = index * TP_TRIANGLE_WORDS;
+    let flags = tp_triangle_words(base, TP_TRIANGLE_DRAW / 2u).y;
+//#if ONE_DRAW
+//#else
+    let draw = tp.draws + tp_triangle_words(base, TP_TRIANGLE_DRAW / 2u).x * TP_DRAW_WORDS;
+//#endif
+    let planes = tp_triangle_words(base, TP_TRIANGLE_PLANES / 2u).x * 4u;
+//#else
     let triangle = order.x & 0xffu;
     let p = tp_primitive(index);
     var corners = vec3<u32>(0u, 1u, 2u);
@@ -55,17 +95,13 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     tp_provoking = p.shaded.z;
     let flags = select(0u, TP_FRONT, front);
     let basis = tp_basis(va.position, vb.position, vc.position);
-    //#insert PLANES
-    // The draw's states.
     let draw = tp.draws + p.draw * TP_DRAW_WORDS;
-    //#load sa tp_records draw
-    let fragment_uniforms = WORD(sa, 0);
-//#if TEXTURES
-    let textures = WORD(sa, 1);
-    //#insert TEXTURES
 //#endif
-    var state: TpState;
-    //#include state
+    //#insert PLANES
+//#if ONE_DRAW
+//#else
+    //#include resolve_state
+//#endif
     let x = f32(i32(px));
     let y = f32(py);
     var color = vec4<f32>(0.0);

@@ -48,6 +48,8 @@ pub mod feature {
     pub const OFFSET: u32 = 1 << 19;
     /// Most triangles fill most rows of their tiles: a column kernel draws all eight.
     pub const TALL: u32 = 1 << 20;
+    /// All triangles are of one draw, whose words a subgroup of the resolving kernel loads once.
+    pub const ONE_DRAW: u32 = 1 << 21;
 }
 
 /// Blending of a segment.
@@ -102,7 +104,7 @@ impl FineKey {
     pub fn source(&self, shape: Shape, program: &Program, constants: &str) -> String {
         let shape = self.shape(shape);
         let (options, extra) = self.options(shape, program, Planes::Loaded);
-        let mut source = format!("const TP_LANES = {}u;\n{extra}{constants}", shape.fine_lanes);
+        let mut source = format!("const TP_LANES = {}u;\nconst TP_TEAMS = {}u;\n{extra}{constants}", shape.fine_lanes, shape.teams());
         for file in [files::COMMON, files::ARITHMETIC] {
             expand(file, &options, &mut source);
         }
@@ -162,6 +164,7 @@ impl FineKey {
             ("DEPTH_RANGE", feature::DEPTH_RANGE),
             ("OFFSET", feature::OFFSET),
             ("TALL", feature::TALL),
+            ("ONE_DRAW", feature::ONE_DRAW),
         ] {
             options.flag(name, on(bit));
         }
@@ -178,7 +181,7 @@ impl FineKey {
         let nearer_wins = matches!(self.depth_func, Some(compare::LESS | compare::LEQUAL)) && !on(feature::MIXED);
         let rejects = self.samples >= 16 && nearer_wins && on(feature::DEPTH_TEST) && !writes_depth && !on(feature::STENCIL_TEST);
         options.flag("REJECTS", rejects);
-        let mut extra = format!("{}const TP_TEXEL_WORDS = {}u;\n", round_constant(shape), shape.texel_words);
+        let mut extra = round_constant(shape);
         let float_depth = self.depth_bits == DepthFormat::F32.bits();
         options.flag("FLOAT_DEPTH", float_depth);
         let (scale, mask) = if float_depth { (1, !0) } else { ((1u64 << self.depth_bits) - 1, 0xff_ffffu32) };

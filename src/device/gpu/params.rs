@@ -5,9 +5,6 @@ use bytemuck::{Pod, Zeroable};
 /// Words of a segment's record: first triangle, triangles, blocks of 32, super blocks of 1024; the rest reserved.
 pub const SEGMENT_WORDS: u32 = 8;
 
-/// A segment of fewer triangles gives the bin stage a lane for each triangle and row of bins.
-pub const FEW_TRIANGLES: u32 = 4096;
-
 /// Places (words) in the buffer of indirect dispatches.
 pub mod indirect {
     /// The tile stage's workgroups.
@@ -88,7 +85,7 @@ pub struct Params {
     pub clear_depth: u32,
     /// Bits of depth and stencil that the clear writes.
     pub clear_depth_mask: u32,
-    /// First column and row that the clear writes.
+    /// First column and row that the clear writes, or that the visible path's triangles touch where the host has set them up.
     pub clear_min: [i32; 2],
     /// One past the last.
     pub clear_max: [i32; 2],
