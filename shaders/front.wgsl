@@ -34,6 +34,8 @@ struct TpFront {
     fan_base: u32,
     fan_capacity: u32,
     map_base: u32,
+    tile_base: u32,
+    tile_count: u32,
 }
 
 //#if VISIBLE

@@ -5,14 +5,12 @@
 
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let tile = (group.x + group.y * 32768u) * (TP_LANES / 64u) + lane / 64u;
 //#if SET_UP
-    // The rectangle of all triangles.
-    let low = vec2<u32>(tp.clear_min);
-    let high = vec2<u32>(tp.clear_max);
+    // Of those that any triangle touches.
+    let number = (group.x + group.y * 32768u) * (TP_LANES / 64u) + lane / 64u;
+    let tile = tp_queue[tf.tile_base + min(number, tf.tile_count - 1u)];
 //#else
-    const low = vec2<u32>(0u);
-    let high = tp.size;
+    let tile = (group.x + group.y * 32768u) * (TP_LANES / 64u) + lane / 64u;
 //#endif
 //#if ONE_DRAW
     // As long as all lanes are there: each loads a word of the draw's states, for its subgroup.
@@ -22,10 +20,15 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     var tp_kept: array<u32, 32>;
     //#include resolve_state
 //#endif
-    let columns = (high.x - low.x + 7u) / 8u;
-    let px = low.x + (tile % columns) * 8u + (lane & 7u);
-    let row = low.y + (tile / columns) * 8u + ((lane >> 3u) & 7u);
-    if (px >= high.x || row >= high.y) {
+    let columns = (tp.size.x + 7u) / 8u;
+    let px = (tile % columns) * 8u + (lane & 7u);
+    let row = (tile / columns) * 8u + ((lane >> 3u) & 7u);
+//#if SET_UP
+    let beyond = number >= tf.tile_count;
+//#else
+    const beyond = false;
+//#endif
+    if (beyond || px >= tp.size.x || row >= tp.size.y) {
         return;
     }
     let py = i32(row);
@@ -55,13 +58,14 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#endif
 //#if SET_UP
     // What the host has set up always fits.
-    let stopped = false;
-//#else
-    let stopped = tp_indirect[TP_FAILED] != 0u;
-//#endif
-    if (!passes || stopped) {
+    if (!passes) {
         return;
     }
+//#else
+    if (!passes || tp_indirect[TP_FAILED] != 0u) {
+        return;
+    }
+//#endif
     tp_depth[at] = (old_depth & 0xff000000u) | depth;
     let index = ((order.y & 0xffu) << 24u) | (order.x >> 8u);
 //#if SET_UP

@@ -71,7 +71,7 @@ pub struct Config {
     pub visible_from: u32,
     /// Most pixels of the rectangles of such triangles, on average, where the host has set them up and knows.
     pub visible_pixels: u64,
-    /// Most pixels of their common rectangle for each of them, likewise.
+    /// Most pixels of the tiles that they touch for each of them, likewise.
     pub visible_area: u64,
 }
 

@@ -109,13 +109,13 @@ impl Plan {
         self.push(place, Action::Draw(Box::new(DrawAction { params, key: segment.finish(), draw, triangles, blocks })));
     }
 
-    fn set_up_visible(&mut self, place: Place, segment: Segment, triangles: &[Triangle], first: usize, mut params: Params) {
+    fn set_up_visible(&mut self, place: Place, segment: Segment, triangles: &[Triangle], tiles: &[u32], first: usize, mut params: Params) {
         params.action = self.actions.len() as u32;
         if segment.key.features & feature::ONE_DRAW != 0 {
             params.draws += segment.draw * DRAW_WORDS as u32;
         }
         let front = FrontParams { top_first: params.top_first, zero: params.zero, ..FrontParams::default() };
-        let front = visible::set_up(triangles, first, &mut self.queue, front);
+        let front = visible::set_up(triangles, tiles, first, &mut self.queue, front);
         let draw = segment.draw;
         self.push(place, Action::Visible(Box::new(VisibleAction { params, front, key: segment.finish(), draw })));
     }
@@ -222,7 +222,7 @@ pub struct Planner<'a> {
     pub visible_from: u32,
     /// Most pixels of the rectangles of such triangles, on average, where the host knows them.
     pub visible_pixels: u64,
-    /// Most pixels of their common rectangle for each of them.
+    /// Most pixels of the tiles that they touch for each of them.
     pub visible_area: u64,
 }
 
@@ -281,15 +281,15 @@ impl Planner<'_> {
                 let place = Place { step: k, primitive: front.triangles[first].primitive };
                 let triangles = &front.triangles[first..end];
                 let program = &batch.draws[segment.draw as usize].fragment_program;
-                let small = pixels <= self.visible_pixels.saturating_mul(triangles.len() as u64);
+                let count = triangles.len() as u64;
+                let most = self.visible_pixels.saturating_mul(if segment.key.textures.is_empty() { 1 } else { 2 });
+                let small = pixels <= most.saturating_mul(count);
                 if self.keys_from(triangles.len()) && self.shape.host_front && small && visible::serves_set_up(&segment.key, program) {
-                    let [low, high] = visible::rectangle(triangles);
-                    let area = (high[0] - low[0]) as u64 * (high[1] - low[1]) as u64;
-                    if area <= self.visible_area.saturating_mul(triangles.len() as u64) {
+                    let tiles = visible::touched(triangles, self.size.map(|s| s.div_ceil(8)));
+                    if tiles.len() as u64 * 64 <= self.visible_area.saturating_mul(count) {
                         let one = self.shape.subgroup8 && triangles.iter().all(|t| t.draw == segment.draw);
                         segment.key.features |= if one { feature::ONE_DRAW } else { 0 };
-                        let params = Params { clear_min: low, clear_max: high, ..base };
-                        return plan.set_up_visible(place, segment, triangles, first, params);
+                        return plan.set_up_visible(place, segment, triangles, &tiles, first, base);
                     }
                 }
                 if segment.key.unrolls(self.shape) && tall * 2 >= all {

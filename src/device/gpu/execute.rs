@@ -656,9 +656,8 @@ impl Dispatcher<'_> {
             self.direct(1, "end of keys");
         }
         self.pass.set_pipeline(&self.kernels.resolve(self.gpu, &action.key, &batch.draws[action.draw as usize].fragment_program));
-        // Of all triangles' rectangle where the host knows it.
-        let size = if shape.host_front { [0, 1].map(|k| (p.clear_max[k] - p.clear_min[k]) as u32) } else { p.size };
-        let tiles = size[0].div_ceil(8) * size[1].div_ceil(8);
+        let all = p.size[0].div_ceil(8) * p.size[1].div_ceil(8);
+        let tiles = if shape.host_front { action.front.tile_count } else { all };
         self.direct(tiles.div_ceil(visible::RESOLVE_LANES / 64), "resolve");
     }
 

@@ -85,7 +85,7 @@ pub struct Params {
     pub clear_depth: u32,
     /// Bits of depth and stencil that the clear writes.
     pub clear_depth_mask: u32,
-    /// First column and row that the clear writes, or that the visible path's triangles touch where the host has set them up.
+    /// First column and row that the clear writes.
     pub clear_min: [i32; 2],
     /// One past the last.
     pub clear_max: [i32; 2],
@@ -171,6 +171,10 @@ pub struct FrontParams {
     pub fan_capacity: u32,
     /// The first triangle of a clipped primitive's fan, in words of the queue, a word a primitive.
     pub map_base: u32,
+    /// Where the host has set up: the tiles of 8 x 8 pixels that triangles touch, in words of the queue.
+    pub tile_base: u32,
+    /// Their number.
+    pub tile_count: u32,
 }
 
 #[cfg(test)]
@@ -268,7 +272,9 @@ mod tests {
             item_capacity,
             fan_base,
             fan_capacity,
-            map_base
+            map_base,
+            tile_base,
+            tile_count
         );
         assert_eq!(members(files::FRONT, "TpFront"), rust);
     }

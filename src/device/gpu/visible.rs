@@ -13,9 +13,10 @@ use crate::raster::layout::*;
 
 /// Fewer triangles are drawn by lists: looking at every pixel of the surface would cost more.
 pub const WORTH_IT: u32 = 2048;
-/// Most pixels of their common rectangle for each triangle that the host has set up: the resolving kernel looks at all of them.
+/// Most pixels of the tiles that they touch for each triangle that the host has set up: the resolving kernel looks at all of them.
 pub const WORTH_IT_AREA: u64 = 32;
-/// Most pixels, on average, of the rectangles of such triangles: an atomic minimum costs more than a register.
+/// Most pixels, on average, of the rectangles of such triangles: an atomic minimum costs more than a register. Twice as
+/// many where textures make shading dear, which keys do once a pixel.
 pub const WORTH_IT_PIXELS: u64 = 64;
 /// Words of the queue's counters.
 const COUNTERS: u32 = 8;
@@ -67,21 +68,21 @@ pub fn extent(t: &Triangle) -> [u32; 2] {
     [t.columns, t.rows].map(|v| (v >> 16) - (v & 0xffff) + 1)
 }
 
-/// The rectangle of triangles: its first column and row, and one past the last.
-pub fn rectangle(triangles: &[Triangle]) -> [[i32; 2]; 2] {
-    let (mut low, mut high) = ([i32::MAX; 2], [0; 2]);
+/// The tiles of 8 x 8 pixels, row by row on a surface of `columns` tiles a row and `rows` rows of them, that triangles' rectangles touch.
+pub fn touched(triangles: &[Triangle], [columns, rows]: [u32; 2]) -> Vec<u32> {
+    let mut touched = vec![false; columns as usize * rows as usize];
     for t in triangles {
-        for (k, v) in [t.columns, t.rows].into_iter().enumerate() {
-            low[k] = low[k].min((v & 0xffff) as i32);
-            high[k] = high[k].max((v >> 16) as i32 + 1);
+        let [x, y] = [t.columns, t.rows].map(|v| (v & 0xffff) / 8..=(v >> 16) / 8);
+        for row in y {
+            touched[(row * columns + x.start()) as usize..=(row * columns + x.end()) as usize].fill(true);
         }
     }
-    [low, high]
+    touched.into_iter().zip(0..).filter(|t| t.0).map(|t| t.1).collect()
 }
 
-/// Parameters for the triangles of a segment that the host has set up. Queues the blocks of the large ones: `items` holds what the queue
-/// will.
-pub fn set_up(triangles: &[Triangle], first: usize, items: &mut Vec<u32>, base: FrontParams) -> FrontParams {
+/// Parameters for the triangles of a segment that the host has set up. Queues the blocks of the large ones and the tiles that they touch:
+/// `items` holds what the queue will.
+pub fn set_up(triangles: &[Triangle], tiles: &[u32], first: usize, items: &mut Vec<u32>, base: FrontParams) -> FrontParams {
     if items.is_empty() {
         items.resize(COUNTERS as usize, 0);
     }
@@ -96,11 +97,15 @@ pub fn set_up(triangles: &[Triangle], first: usize, items: &mut Vec<u32>, base: 
             items.extend((0..width.div_ceil(64)).flat_map(|column| [k, 0, column | row << 16]));
         }
     }
+    let tile_base = items.len() as u32;
+    items.extend_from_slice(tiles);
     FrontParams {
         first_primitive: first as u32,
         primitive_count: triangles.len() as u32,
         item_base,
-        item_capacity: (items.len() as u32 - item_base) / 3,
+        item_capacity: (tile_base - item_base) / 3,
+        tile_base,
+        tile_count: tiles.len() as u32,
         ..base
     }
 }
@@ -178,10 +183,19 @@ mod tests {
             triangle([0, 31], [0, 16], 31 * 256),
         ];
         let mut items = Vec::new();
-        let params = set_up(&all, 100, &mut items, FrontParams::default());
+        let tiles = touched(&all, [16, 9]);
+        let params = set_up(&all, &tiles, 100, &mut items, FrontParams::default());
         assert_eq!((params.first_primitive, params.primitive_count, params.item_base, params.item_capacity), (100, 5, COUNTERS, 6));
-        let queued: Vec<_> = items[COUNTERS as usize..].chunks(3).map(|i| (i[0], i[2])).collect();
+        let queued: Vec<_> = items[COUNTERS as usize..params.tile_base as usize].chunks(3).map(|i| (i[0], i[2])).collect();
         assert_eq!(queued, [(101, 0), (101, 1), (101, 1 << 16), (101, 1 | 1 << 16), (102, 0), (104, 0)]);
-        assert_eq!(rectangle(&all), [[0, 0], [121, 70]]);
+        assert_eq!(items[params.tile_base as usize..], tiles);
+        assert_eq!(params.tile_count as usize, tiles.len());
+    }
+
+    #[test]
+    fn tiles_are_touched_by_rectangles() {
+        // Columns 7 and 8 are of two tiles, rows 15 and 16 too; the second lies inside the first, the third at the surface's end.
+        let all = [triangle([7, 8], [15, 16], 256), triangle([8, 9], [16, 17], 256), triangle([31, 31], [39, 39], 256)];
+        assert_eq!(touched(&all, [4, 5]), [4, 5, 8, 9, 19]);
     }
 }
