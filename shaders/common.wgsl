@@ -67,8 +67,8 @@ struct TpParams {
 //#endif
 @group(0) @binding(5) var<storage, read_write> tp_color: array<u32>;
 @group(0) @binding(6) var<storage, read_write> tp_depth: array<u32>;
-//#if PAIRS
-@group(0) @binding(7) var<storage, read> tp_texels: array<u64>;
+//#if TEXEL_PAIRS
+@group(0) @binding(7) var tp_texels: texture_storage_2d<rg32uint, read>;
 //#else
 @group(0) @binding(7) var<storage, read> tp_texels: array<u32>;
 //#endif
@@ -79,6 +79,23 @@ struct TpParams {
 fn tp_zero() -> f32 {
     return tp.zero;
 }
+
+fn tp_first_triangle() -> u32 {
+    return tp_segments[tp.segment * TP_SEGMENT_WORDS];
+}
+
+fn tp_triangle_count() -> u32 {
+    return tp_segments[tp.segment * TP_SEGMENT_WORDS + 1u];
+}
+
+fn tp_blocks() -> u32 {
+    return tp_segments[tp.segment * TP_SEGMENT_WORDS + 2u];
+}
+
+fn tp_supers() -> u32 {
+    return tp_segments[tp.segment * TP_SEGMENT_WORDS + 3u];
+}
+//#endif
 
 //#if TRIANGLES
 // Words 2 k and 2 k + 1 of a triangle.
@@ -102,23 +119,6 @@ fn tp_corners(base: u32) -> TpCorners {
     let b = bitcast<vec2<i32>>(tp_triangle_words(base, 1u));
     let c = bitcast<vec2<i32>>(tp_triangle_words(base, 2u));
     return TpCorners(vec3<i32>(a, b.x), vec3<i32>(b.y, c));
-}
-//#endif
-
-fn tp_first_triangle() -> u32 {
-    return tp_segments[tp.segment * TP_SEGMENT_WORDS];
-}
-
-fn tp_triangle_count() -> u32 {
-    return tp_segments[tp.segment * TP_SEGMENT_WORDS + 1u];
-}
-
-fn tp_blocks() -> u32 {
-    return tp_segments[tp.segment * TP_SEGMENT_WORDS + 2u];
-}
-
-fn tp_supers() -> u32 {
-    return tp_segments[tp.segment * TP_SEGMENT_WORDS + 3u];
 }
 //#endif
 

@@ -64,9 +64,10 @@ fn tp_list(at: u32, lane: u32) -> u32 {
 //#endif
 }
 
-@compute @workgroup_size(8)
-fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let slot = group.x + group.y * 32768u;
+@compute @workgroup_size(8 * TP_TEAMS)
+fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) index_in_group: u32) {
+    let lane = index_in_group & 7u;
+    let slot = (group.x + group.y * 32768u) * TP_TEAMS + index_in_group / 8u;
     if (slot >= tp_list(2u, lane)) {
         return;
     }

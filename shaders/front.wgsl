@@ -34,6 +34,8 @@ struct TpFront {
     fan_base: u32,
     fan_capacity: u32,
     map_base: u32,
+    tile_base: u32,
+    tile_count: u32,
 }
 
 //#if VISIBLE
@@ -61,6 +63,8 @@ fn tp_zero() -> f32 {
 }
 //#endif
 
+//#if SET_UP
+//#else
 // A window coordinate in 1/256 pixel from the centre of pixel 0, rounded to the nearest (even).
 fn tp_snap(v: f32) -> i32 {
     let low = select(TP_COORDINATE_MIN, v, v > TP_COORDINATE_MIN);
@@ -81,3 +85,4 @@ fn tp_viewport_translate(state: u32) -> vec3<f32> {
     let at = state + TP_STATE_VIEWPORT_TRANSLATE;
     return bitcast<vec3<f32>>(vec3<u32>(tp_front_records[at], tp_front_records[at + 1u], tp_front_records[at + 2u]));
 }
+//#endif

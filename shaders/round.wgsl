@@ -32,7 +32,8 @@ fn tp_main(@builtin(local_invocation_index) lane: u32) {
         let tiles = atomicLoad(&tp_tiles);
         tp_lists[2] = tiles;
         tp_lists[3] = start;
-        tp_indirect[TP_FINE_DISPATCH] = min(tiles, 32768u);
-        tp_indirect[TP_FINE_DISPATCH + 1u] = (tiles + 32767u) / 32768u;
+        let groups = (tiles + TP_TEAMS - 1u) / TP_TEAMS;
+        tp_indirect[TP_FINE_DISPATCH] = min(groups, 32768u);
+        tp_indirect[TP_FINE_DISPATCH + 1u] = (groups + 32767u) / 32768u;
     }
 }

@@ -72,8 +72,9 @@ fn tp_main(@builtin(local_invocation_index) lane: u32) {
         let failed = tp_indirect[TP_FAILED] != 0u;
         let blocks = select(total.x, 0u, failed);
         let drawn = select(total.y, 0u, failed);
-        tp_indirect[0] = min(blocks, 32768u);
-        tp_indirect[1] = (blocks + 32767u) / 32768u;
+        let groups = (blocks + TP_TEAMS - 1u) / TP_TEAMS;
+        tp_indirect[0] = min(groups, 32768u);
+        tp_indirect[1] = (groups + 32767u) / 32768u;
         tp_indirect[2] = 1u;
         // The active stage counts the fine stage's workgroups, here and in the third word of the lists, unless they are all tiles.
         let tiles = select(0u, bins * 64u, (tp.fresh & TP_FRESH_CLEARS) != 0u && !failed);

@@ -122,25 +122,30 @@ fn tp_or_border(t: TpTexture, c: TpClass, v: vec4<f32>, x: i32, y: i32, z: i32) 
     return v;
 }
 
+//#if TEXEL_PAIRS
+// Two words of the image of texels, whose rows follow each other.
+fn tp_texel_pair(at: u32) -> vec2<u32> {
+    return textureLoad(tp_texels, vec2<u32>(at & 4095u, at >> 12u)).xy;
+}
+//#endif
+
 // A texel; components of 8 bits count from 0 to 255.
 fn tp_texel(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, x: i32, y: i32, z: i32) -> vec4<f32> {
     let at = tp_number(c, size, x, y, z);
     var v: vec4<f32>;
     if (c.floats) {
-//#if PAIRS
+//#if TEXEL_PAIRS
         let w = (offset >> 1u) + at * 2u;
-        let a = tp_texels[w];
-        let b = tp_texels[w + 1u];
-        v = bitcast<vec4<f32>>(vec4<u32>(u32(a & 0xfffffffflu), u32(a >> 32u), u32(b & 0xfffffffflu), u32(b >> 32u)));
+        v = bitcast<vec4<f32>>(vec4<u32>(tp_texel_pair(w), tp_texel_pair(w + 1u)));
 //#else
         let w = offset + at * 4u;
         v = bitcast<vec4<f32>>(vec4<u32>(tp_texels[w], tp_texels[w + 1u], tp_texels[w + 2u], tp_texels[w + 3u]));
 //#endif
     } else {
-//#if PAIRS
-        v = tp_bytes(u32(tp_texels[(offset >> 1u) + at] & 0xfffffffflu));
+//#if TEXEL_PAIRS
+        v = tp_bytes(tp_texel_pair((offset >> 1u) + at).x);
 //#else
-        v = tp_bytes(tp_texels[offset + at * TP_TEXEL_WORDS]);
+        v = tp_bytes(tp_texels[offset + at]);
 //#endif
     }
     return tp_or_border(t, c, v, x, y, z);
@@ -148,12 +153,12 @@ fn tp_texel(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, x: i32, y: i
 
 // The two texels of a row around a coordinate, mixed.
 fn tp_row(t: TpTexture, c: TpClass, offset: u32, size: vec3<i32>, x: TpAxis, y: i32, z: i32) -> vec4<f32> {
-//#if PAIRS
+//#if TEXEL_PAIRS
     if (!c.floats) {
         let first = max(x.low, 0);
-        let pair = tp_texels[(offset >> 1u) + tp_number(c, size, first, y, z)];
-        let low = u32(pair & 0xfffffffflu);
-        var high = u32(pair >> 32u);
+        let pair = tp_texel_pair((offset >> 1u) + tp_number(c, size, first, y, z));
+        let low = pair.x;
+        var high = pair.y;
         // The neighbour is that of a texture that repeats.
         if (c.wrap.x != 0u) {
             high = select(high, low, x.high == first);

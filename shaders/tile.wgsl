@@ -1,4 +1,4 @@
-// A workgroup for each block of 32 list entries: which tiles of the bin does each triangle touch? The masks of tiles
+// A workgroup (SUBGROUP8: a subgroup of one) for each block of 32 list entries: which tiles of the bin does each triangle touch? The masks of tiles
 // (64 bits a triangle) are transposed to masks of triangles (32 bits a tile), so that the fine stage walks a tile's
 // triangles in order by counting bits: no lists, no sizes to guess. Also writes, entry by entry, what the fine stage wants to
 // know of the triangle in this bin (TP_ENTRY_WORDS words): three times c, a and b, the rectangle, planes, draw and flags.
@@ -84,8 +84,14 @@ fn tp_entry(base: u32, at: u32, origin: vec2<i32>) -> vec2<u32> {
 }
 
 @compute @workgroup_size(TP_LANES)
-fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) index_in_group: u32) {
+//#if SUBGROUP8
+    let lane = index_in_group & 7u;
+    let block = (group.x + group.y * 32768u) * TP_TEAMS + index_in_group / 8u;
+//#else
+    let lane = index_in_group;
     let block = group.x + group.y * 32768u;
+//#endif
     if (block >= tp_lists[0]) {
         return;
     }

@@ -9,7 +9,7 @@ use super::visible;
 pub struct Shape {
     /// Lanes of the fine stage's workgroups: 64 (a pixel each), 32 (two pixels each) or 8 (a column of a tile each).
     pub fine_lanes: u32,
-    /// Lanes of the other stages' workgroups.
+    /// Lanes of the workgroups of stages in which each lane works by itself.
     pub list_lanes: u32,
     /// Workgroups of 8 lanes are one subgroup, and there are integers of 64 bits: values that all lanes need are loaded by one lane each, two
     /// words at a time, and broadcast.
@@ -20,8 +20,9 @@ pub struct Shape {
     pub fuses: bool,
     /// There are integers and atomic minima of 64 bits, and storage buffers enough for the visible path.
     pub keys64: bool,
-    /// Words of a texel of four bytes: 2 where loads go lane by lane, two words at a time, so that its right neighbour comes with it.
-    pub texel_words: u32,
+    /// Texels lie in an image, two words at a time, so that a texel of four bytes comes with its right neighbour: where loads from buffers go
+    /// lane by lane, those from images do not.
+    pub texel_pairs: bool,
     /// Blocks of 32 triangles of a bin's list that a dispatch of the fine stage of 8 lanes goes through: see [`ROUND_BLOCKS`].
     pub round_blocks: u32,
     /// Vertices, clipping and set-up are done by the Rust twins on the host: where the "GPU" is the same processor, they are faster.
@@ -34,11 +35,27 @@ impl Shape {
         self.fine_lanes >= 32
     }
 
+    /// Tiles of a workgroup of the fine stage, and blocks of entries of one of the tile stage: each has a subgroup of eight lanes.
+    pub fn teams(self) -> u32 {
+        if self.subgroup8 { TEAMS } else { 1 }
+    }
+
+    /// A segment of fewer triangles gives the bin stage a lane for each triangle and row of bins. Where drivers run on a processor lanes that
+    /// have nothing to do cost as much as others.
+    pub fn few_triangles(self) -> u32 {
+        if self.vectors() { 4096 } else { 16 }
+    }
+
     /// The fine stage goes through a list in several dispatches.
     pub fn rounds(self) -> bool {
         !self.vectors()
     }
 }
+
+/// Where drivers run on a processor, a workgroup is a call that costs about a microsecond, as much as some triangles do. More than this would
+/// leave threads without work at the end of a dispatch.
+const TEAMS: u32 = 16;
+const LIST_LANES: u32 = 256;
 
 /// Mesa's software driver ends all loops of an invocation, together, after 65,535 iterations; a triangle takes up to ten.
 const ROUND_BLOCKS: u32 = 128;
@@ -52,6 +69,10 @@ pub struct Config {
     pub buffer_limit: u64,
     /// Triangles from which on a segment is drawn by keys, where its state and the device allow it.
     pub visible_from: u32,
+    /// Most pixels of the rectangles of such triangles, on average, where the host has set them up and knows.
+    pub visible_pixels: u64,
+    /// Most pixels of the tiles that they touch for each of them, likewise.
+    pub visible_area: u64,
 }
 
 /// An open device.
@@ -114,6 +135,9 @@ fn open() -> Result<Gpu, String> {
         | wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX
         | wgpu::Features::TIMESTAMP_QUERY
         | wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES;
+    // Where there is one memory, the host writes straight into it.
+    let cpu = info.device_type == wgpu::DeviceType::Cpu;
+    let wanted = if cpu { wanted | wgpu::Features::MAPPABLE_PRIMARY_BUFFERS } else { wanted };
     let features = adapter.features() & wanted;
     let descriptor = wgpu::DeviceDescriptor {
         label: Some("tepui"),
@@ -125,23 +149,22 @@ fn open() -> Result<Gpu, String> {
     let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(|e| format!("{}: {e}", info.name))?;
     // A kernel that does not build, or a device that is lost, costs the picture, not the process.
     device.on_uncaptured_error(std::sync::Arc::new(|e| log::error!(target: "tepui::gpu", "{e}")));
-    let cpu = info.device_type == wgpu::DeviceType::Cpu;
     let keys = wgpu::Features::SHADER_INT64 | wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX;
     let wanted = wgpu::Features::SUBGROUP | wgpu::Features::SHADER_INT64;
     let subgroup8 = cpu && features.contains(wanted) && info.subgroup_min_size == 8 && info.subgroup_max_size == 8;
     let narrow = Shape {
         fine_lanes: 8,
-        list_lanes: 8,
+        list_lanes: LIST_LANES,
         subgroup8,
         // Every GPU fuses; Mesa's software driver does not.
         fma64: cpu && features.contains(wgpu::Features::SHADER_F64),
         fuses: !cpu,
         keys64: features.contains(keys) && device.limits().max_storage_buffers_per_shader_stage >= 12,
-        texel_words: if subgroup8 { 2 } else { 1 },
+        texel_pairs: cpu,
         round_blocks: ROUND_BLOCKS,
         host_front: cpu,
     };
-    let wide = |fine_lanes| Shape { fine_lanes, list_lanes: 64, subgroup8: false, ..narrow };
+    let wide = |fine_lanes| Shape { fine_lanes, list_lanes: 64, subgroup8: false, texel_pairs: false, ..narrow };
     let mut shape = if cpu { narrow } else { wide(32) };
     // For tests of the other shapes on one machine.
     match std::env::var("TEPUI_GPU_SHAPE").as_deref() {
@@ -157,7 +180,14 @@ fn open() -> Result<Gpu, String> {
     }
     let limit = std::env::var("TEPUI_GPU_BUFFER_LIMIT").ok().and_then(|v| v.parse().ok()).unwrap_or(BUFFER_LIMIT);
     let buffer_limit = limit.min(device.limits().max_storage_buffer_binding_size);
-    Ok(Gpu { device, queue, info, config: Config { shape, buffer_limit, visible_from: visible::WORTH_IT } })
+    let config = Config {
+        shape,
+        buffer_limit,
+        visible_from: visible::WORTH_IT,
+        visible_pixels: visible::WORTH_IT_PIXELS,
+        visible_area: visible::WORTH_IT_AREA,
+    };
+    Ok(Gpu { device, queue, info, config })
 }
 
 /// The process's device.

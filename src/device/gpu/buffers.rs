@@ -29,10 +29,29 @@ impl Growing {
 
     /// Writes words from the start; grows as needed, with some words of slack behind them.
     pub fn upload(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, bytes: &[u8]) {
-        self.reserve(device, bytes.len() as u64 + 256);
-        if !bytes.is_empty() {
-            queue.write_buffer(&self.buffer, 0, bytes);
+        self.fill(device, queue, bytes.len(), |mut to| to.copy_from_slice(bytes));
+    }
+
+    /// The same of `size` bytes that `write` writes. A buffer that can be mapped is written in place, when the device has done with it.
+    pub fn fill(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, size: usize, write: impl FnOnce(wgpu::WriteOnly<[u8]>)) {
+        self.reserve(device, size as u64 + 256);
+        let Some(bytes) = wgpu::BufferSize::new(size as u64) else { return };
+        if !self.usage.contains(wgpu::BufferUsages::MAP_WRITE) {
+            if let Some(mut view) = queue.write_buffer_with(&self.buffer, 0, bytes) {
+                write(view.slice(..));
+            }
+            return;
         }
+        let place = self.buffer.slice(..size as u64);
+        place.map_async(wgpu::MapMode::Write, |_| {});
+        if let Err(e) = device.poll(wgpu::PollType::wait_indefinitely()) {
+            log::error!(target: "tepui::gpu", "waiting for the GPU: {e}");
+        }
+        match place.get_mapped_range_mut() {
+            Ok(mut view) => write(view.slice(..)),
+            Err(e) => log::error!(target: "tepui::gpu", "writing {}: {e}", self.label),
+        }
+        self.buffer.unmap();
     }
 
     /// What it is called.

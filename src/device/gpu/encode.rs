@@ -87,6 +87,8 @@ pub struct Plan {
     pub mask_words: u32,
     /// Words of the visible path's queue that the largest segment needs.
     pub queue_words: u32,
+    /// The queue, where the host fills it.
+    pub queue: Vec<u32>,
 }
 
 impl Plan {
@@ -107,6 +109,17 @@ impl Plan {
         self.mask_words = self.mask_words.max(bins * blocks);
         let draw = segment.draw;
         self.push(place, Action::Draw(Box::new(DrawAction { params, key: segment.finish(), draw, triangles, blocks })));
+    }
+
+    fn set_up_visible(&mut self, place: Place, segment: Segment, triangles: &[Triangle], tiles: &[u32], first: usize, mut params: Params) {
+        params.action = self.actions.len() as u32;
+        if segment.key.features & feature::ONE_DRAW != 0 {
+            params.draws += segment.draw * DRAW_WORDS as u32;
+        }
+        let front = FrontParams { top_first: params.top_first, zero: params.zero, ..FrontParams::default() };
+        let front = visible::set_up(triangles, tiles, first, &mut self.queue, front);
+        let draw = segment.draw;
+        self.push(place, Action::Visible(Box::new(VisibleAction { params, front, key: segment.finish(), draw })));
     }
 
     fn visible(&mut self, step: usize, segment: Segment, primitives: std::ops::Range<u32>, mut params: Params, room: &Room) {
@@ -207,6 +220,8 @@ struct OpenSegment {
     touches: u64,
     /// Tiles that its triangles may touch; those of tall triangles.
     tiles: [u64; 2],
+    /// Pixels of its triangles' rectangles.
+    pixels: u64,
 }
 
 /// What all plans of a surface share.
@@ -223,9 +238,18 @@ pub struct Planner<'a> {
     pub room: &'a Room,
     /// Triangles from which on a segment is drawn by keys where it may.
     pub visible_from: u32,
+    /// Most pixels of the rectangles of such triangles, on average, where the host knows them.
+    pub visible_pixels: u64,
+    /// Most pixels of the tiles that they touch for each of them.
+    pub visible_area: u64,
 }
 
 impl Planner<'_> {
+    /// Whether a segment of so many triangles is one for keys, if its state is.
+    fn keys_from(&self, triangles: usize) -> bool {
+        self.shape.keys64 && self.format.samples == 1 && triangles as u64 >= self.visible_from as u64
+    }
+
     fn base(&self) -> Params {
         Params {
             size: self.size,
@@ -271,12 +295,25 @@ impl Planner<'_> {
             let mut open: Option<OpenSegment> = None;
             let mut current = NONE;
             let close = |plan: &mut Plan, open: &mut Option<OpenSegment>, end: usize| {
-                let Some(OpenSegment { mut segment, first, touches, tiles: [all, tall] }) = open.take() else { return };
+                let Some(OpenSegment { mut segment, first, touches, tiles: [all, tall], pixels }) = open.take() else { return };
+                let place = Place { step: k, primitive: front.triangles[first].primitive };
+                let triangles = &front.triangles[first..end];
+                let program = &batch.draws[segment.draw as usize].fragment_program;
+                let count = triangles.len() as u64;
+                let most = self.visible_pixels.saturating_mul(if segment.key.textures.is_empty() { 1 } else { 2 });
+                let small = pixels <= most.saturating_mul(count);
+                if self.keys_from(triangles.len()) && self.shape.host_front && small && visible::serves_set_up(&segment.key, program) {
+                    let tiles = visible::touched(triangles, self.size.map(|s| s.div_ceil(8)));
+                    if tiles.len() as u64 * 64 <= self.visible_area.saturating_mul(count) {
+                        let one = self.shape.subgroup8 && triangles.iter().all(|t| t.draw == segment.draw);
+                        segment.key.features |= if one { feature::ONE_DRAW } else { 0 };
+                        return plan.set_up_visible(place, segment, triangles, &tiles, first, base);
+                    }
+                }
                 if segment.key.unrolls(self.shape) && tall * 2 >= all {
                     segment.key.features |= feature::TALL;
                 }
                 let (count, record) = ((end - first) as u32, plan.segments.len());
-                let place = Place { step: k, primitive: front.triangles[first].primitive };
                 plan.draw(place, segment, base, Some(count), count.div_ceil(32), (touches / 32 + bins) as u32);
                 plan.segments[record] = first as u32;
             };
@@ -292,12 +329,19 @@ impl Planner<'_> {
                     let needs = known.entry(current).or_insert_with(|| needs(batch, current as usize, format));
                     if full || !open.as_mut().is_some_and(|open| open.segment.admit(needs, batch, current)) {
                         close(&mut plan, &mut open, index);
-                        open = Some(OpenSegment { segment: Segment::new(needs, format, current), first: index, touches: 0, tiles: [0; 2] });
+                        open = Some(OpenSegment {
+                            segment: Segment::new(needs, format, current),
+                            first: index,
+                            touches: 0,
+                            tiles: [0; 2],
+                            pixels: 0,
+                        });
                     }
                 }
-                if let Some(OpenSegment { segment, touches, tiles, .. }) = &mut open {
+                if let Some(OpenSegment { segment, touches, tiles, pixels, .. }) = &mut open {
                     *touches += touched;
-                    let height = (t.rows >> 16) - (t.rows & 0xffff) + 1;
+                    let [width, height] = visible::extent(t);
+                    *pixels += width as u64 * height as u64;
                     let across = (t.columns >> 16) / 8 - (t.columns & 0xffff) / 8 + 1;
                     let visits = across as u64 * height.div_ceil(8) as u64;
                     tiles[0] += visits;
@@ -310,7 +354,7 @@ impl Planner<'_> {
             close(&mut plan, &mut open, end);
             start = end;
         }
-        mark_fresh(&mut plan.actions, format, self.shape.vectors());
+        mark_fresh(&mut plan.actions, format, false);
         plan
     }
 
@@ -366,10 +410,7 @@ impl Planner<'_> {
                     // Whether a triangle needs the division by w is not known here.
                     run.segment.key.features |= feature::PERSPECTIVE;
                     let program = &self.batch.draws[run.segment.draw as usize].fragment_program;
-                    let many = run.primitives.len() as u32 >= self.visible_from;
-                    if self.shape.keys64
-                        && self.format.samples == 1
-                        && many
+                    if self.keys_from(run.primitives.len())
                         && self.room.slice_triangles >= self.visible_from
                         && run.filled
                         && visible::serves(&run.segment.key, program)

@@ -8,13 +8,14 @@ use super::adapter::Gpu;
 use super::buffers::{Growing, create};
 use super::encode::{Action, DrawAction, Place, Plan, Planner, VisibleAction, place_lists};
 use super::fill::Fill;
+use super::fine::feature;
 use super::front::FrontRecords;
 use super::host_front::HostFront;
 use super::kernels::Kernels;
-use super::params::{FEW_TRIANGLES, FrontParams, Params, SEGMENT_WORDS, Status, fresh, indirect};
+use super::params::{FrontParams, Params, SEGMENT_WORDS, Status, fresh, indirect};
 use super::profile::{Profile, StageTime};
 use super::room::Room;
-use super::stage::{CLEAR_ROWS, Stage, VISIBLE_LANES, Visible, emit_lanes};
+use super::stage::{CLEAR_ROWS, Offers, Stage, VISIBLE_LANES, Visible, emit_lanes};
 use super::stats;
 use super::surface::stats_level;
 use super::texture::Heap;
@@ -71,6 +72,9 @@ impl Buffers {
         let device = &gpu.device;
         let storage = wgpu::BufferUsages::STORAGE;
         let growing = |label| Growing::new(device, label, storage);
+        // What a host that sets up writes most of.
+        let mappable = device.features().contains(wgpu::Features::MAPPABLE_PRIMARY_BUFFERS);
+        let filled = |label| Growing::new(device, label, if mappable { storage | wgpu::BufferUsages::MAP_WRITE } else { storage });
         let indirect = storage | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_SRC;
         Buffers {
             color: create(device, "no colour", storage, 0),
@@ -83,8 +87,8 @@ impl Buffers {
             shaded: growing("shaded"),
             screen: growing("screen"),
             records: growing("records"),
-            triangles: growing("triangles"),
-            planes: growing("planes"),
+            triangles: filled("triangles"),
+            planes: filled("planes"),
             front: growing("front"),
             lists: growing("lists"),
             params: Growing::new(device, "params", wgpu::BufferUsages::UNIFORM),
@@ -241,24 +245,26 @@ impl Executor {
         let front = [&b.uniforms, &b.vertices, &b.primitives, &b.front_records, &b.shaded, &b.screen, &b.triangles, &b.planes, &b.front];
         let sizes = [size_of::<Params>() as u64, size_of::<FrontParams>() as u64];
         let visible = b.keys.as_ref().map(|keys| {
-            let [uniforms, primitives, front_records, shaded, screen, records, queue] =
-                [&b.uniforms, &b.primitives, &b.front_records, &b.shaded, &b.screen, &b.records, &b.queue].map(|g| g.get());
-            let texels = self.heap.buffer();
-            let all = [uniforms, primitives, front_records, shaded, screen, records, &b.color, &b.depth, texels, keys, queue];
-            self.group(&self.kernels.visible_layout, &all, &sizes)
+            // What primitives are to the kernels of the front end, triangles are that the host has set up.
+            let on_host = self.kernels.config.shape.host_front;
+            let [first, second] = if on_host { [&b.triangles, &b.planes] } else { [&b.primitives, &b.front_records] };
+            let [uniforms, first, second, shaded, screen, records, queue] =
+                [&b.uniforms, first, second, &b.shaded, &b.screen, &b.records, &b.queue].map(|g| g.get());
+            let all = [uniforms, first, second, shaded, screen, records, &b.color, &b.depth, keys, queue];
+            self.group(&self.kernels.visible_layout, &with_texels(&all, 8, &self.heap), &sizes)
         });
         self.bound = Some(Bound {
             generation,
             visible,
-            front: self.group(&self.kernels.front_layout, &front.map(|g| g.get()), &sizes[1..]),
+            front: self.group(&self.kernels.front_layout, &front.map(|g| g.get().as_entire_binding()), &sizes[1..]),
             stages: self.stages_group(&b.color, &b.depth),
-            indirect: self.group(&self.kernels.indirect_layout, &[b.indirect.get()], &[]),
+            indirect: self.group(&self.kernels.indirect_layout, &[b.indirect.get().as_entire_binding()], &[]),
         });
     }
 
-    /// A bind group of storage buffers, and parameters of these sizes.
-    fn group(&self, layout: &wgpu::BindGroupLayout, storage: &[&wgpu::Buffer], params: &[u64]) -> wgpu::BindGroup {
-        let storage = storage.iter().map(|b| b.as_entire_binding());
+    /// A bind group of what kernels work on, and parameters of these sizes.
+    fn group(&self, layout: &wgpu::BindGroupLayout, storage: &[wgpu::BindingResource], params: &[u64]) -> wgpu::BindGroup {
+        let storage = storage.iter().cloned();
         let params = params.iter().map(|&size| {
             let buffer = self.buffers.params.get();
             wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer, offset: 0, size: wgpu::BufferSize::new(size) })
@@ -273,14 +279,22 @@ impl Executor {
         let b = &self.buffers;
         let [uniforms, records, triangles, planes, lists, segments] =
             [&b.uniforms, &b.records, &b.triangles, &b.planes, &b.lists, &b.front].map(|g| g.get());
-        let stages = [uniforms, records, triangles, planes, lists, color, depth, self.heap.buffer(), segments];
-        self.group(&self.kernels.layout, &stages, &[size_of::<Params>() as u64])
+        let stages = [uniforms, records, triangles, planes, lists, color, depth, segments];
+        self.group(&self.kernels.layout, &with_texels(&stages, 7, &self.heap), &[size_of::<Params>() as u64])
     }
 
     fn planner<'a>(&'a self, batch: &'a Batch) -> Planner<'a> {
         let config = self.kernels.config;
-        let (shape, visible_from) = (config.shape, config.visible_from);
-        Planner { batch, size: self.size, format: self.format, shape, room: &self.room, visible_from }
+        Planner {
+            batch,
+            size: self.size,
+            format: self.format,
+            shape: config.shape,
+            room: &self.room,
+            visible_from: config.visible_from,
+            visible_pixels: config.visible_pixels,
+            visible_area: config.visible_area,
+        }
     }
 
     /// Sets a batch up on the host and uploads the triangles.
@@ -290,8 +304,12 @@ impl Executor {
         let plan = self.planner(batch).host(&self.host_front, &self.heap);
         let b = &mut self.buffers;
         b.triangles.upload(device, queue, cast_slice(&self.host_front.triangles));
-        b.planes.upload(device, queue, cast_slice(&self.host_front.planes));
+        b.planes.fill(device, queue, self.host_front.plane_bytes(), |to| self.host_front.write_planes(to));
         b.front.upload(device, queue, cast_slice(&plan.segments));
+        if !plan.queue.is_empty() {
+            b.queue.upload(device, queue, cast_slice(&plan.queue));
+            b.keys.get_or_insert_with(|| keys(self.gpu, self.size));
+        }
         self.upload_params(plan, &[], true)
     }
 
@@ -411,7 +429,7 @@ impl Executor {
         let status = size_of::<Status>() as u64;
         encoder.clear_buffer(b.indirect.get(), indirect::FAILED as u64 * 4, Some(status));
         let mut first_action = 0;
-        if let (Some((_, Action::Clear(p))), true) = (prepared.plan.actions.first(), self.kernels.config.shape.list_lanes < 64) {
+        if let (Some((_, Action::Clear(p))), true) = (prepared.plan.actions.first(), !self.kernels.config.shape.vectors()) {
             first_action = clear_by_copy(&mut self.fills, self.gpu, &mut encoder, p, self.format, [&b.color, &b.depth]) as usize;
         }
         {
@@ -502,6 +520,13 @@ impl Executor {
             growing.into_iter().chain([&b.front, &b.lists, &b.params, &b.indirect, &b.queue]).map(|g| (g.label(), g.get().size()));
         growing.chain(b.keys.as_ref().map(|keys| ("keys", keys.size()))).collect()
     }
+}
+
+/// Bindings of buffers, and of the texels as number `at`.
+fn with_texels<'a>(buffers: &[&'a wgpu::Buffer], at: usize, heap: &'a Heap) -> Vec<wgpu::BindingResource<'a>> {
+    let mut all: Vec<_> = buffers.iter().map(|b| b.as_entire_binding()).collect();
+    all.insert(at, heap.resource());
+    all
 }
 
 /// The visible path's keys: all ones.
@@ -611,19 +636,30 @@ impl Dispatcher<'_> {
 
     fn visible(&mut self, batch: &Batch, action: &VisibleAction) {
         let p = &action.params;
-        let (lequal, bits) = (visible::is_lequal(&action.key), action.key.depth_bits);
-        let stage = |which| Stage::Visible(which, lequal, bits);
+        let shape = self.kernels.config.shape;
+        let offset = shape.host_front && action.key.features & feature::OFFSET != 0;
+        let offers = Offers { lequal: visible::is_lequal(&action.key), depth_bits: action.key.depth_bits, offset };
+        let stage = |which| Stage::Visible(which, offers);
         self.stage(stage(Visible::Small));
-        self.direct(action.front.primitive_count.div_ceil(VISIBLE_LANES), "small");
-        // Rounds over queues whose length the host does not know.
-        self.stage(stage(Visible::Clip));
-        self.direct(CLIP_GROUPS, "clip");
-        self.stage(stage(Visible::Large));
-        self.direct(LARGE_GROUPS, "large");
-        self.stage(stage(Visible::End));
-        self.direct(1, "end of keys");
+        if shape.host_front {
+            self.direct(action.front.primitive_count.div_ceil(shape.list_lanes), "small");
+            if action.front.item_capacity > 0 {
+                self.stage(stage(Visible::Large));
+                self.direct(action.front.item_capacity.div_ceil(VISIBLE_LANES / 32).min(LARGE_GROUPS), "large");
+            }
+        } else {
+            self.direct(action.front.primitive_count.div_ceil(VISIBLE_LANES), "small");
+            // Rounds over queues whose length the host does not know.
+            self.stage(stage(Visible::Clip));
+            self.direct(CLIP_GROUPS, "clip");
+            self.stage(stage(Visible::Large));
+            self.direct(LARGE_GROUPS, "large");
+            self.stage(stage(Visible::End));
+            self.direct(1, "end of keys");
+        }
         self.pass.set_pipeline(&self.kernels.resolve(self.gpu, &action.key, &batch.draws[action.draw as usize].fragment_program));
-        let tiles = p.size[0].div_ceil(8) * p.size[1].div_ceil(8);
+        let all = p.size[0].div_ceil(8) * p.size[1].div_ceil(8);
+        let tiles = if shape.host_front { action.front.tile_count } else { all };
         self.direct(tiles.div_ceil(visible::RESOLVE_LANES / 64), "resolve");
     }
 
@@ -640,7 +676,7 @@ impl Dispatcher<'_> {
         let several = p.samples > 1;
         self.stage(Stage::Bin(several));
         let triangles = action.triangles.unwrap_or(0);
-        sized(self, triangles * if triangles < FEW_TRIANGLES { p.bins[1] } else { 1 }, 0, "bin");
+        sized(self, triangles * if triangles < self.kernels.config.shape.few_triangles() { p.bins[1] } else { 1 }, 0, "bin");
         self.stage(Stage::Count);
         sized(self, supers, 4, "count");
         self.stage(Stage::Scan);

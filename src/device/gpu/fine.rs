@@ -50,6 +50,8 @@ pub mod feature {
     pub const TALL: u32 = 1 << 20;
     /// Some draw takes all samples at the centre of the pixel.
     pub const CENTRES: u32 = 1 << 21;
+    /// All triangles are of one draw, whose words a subgroup of the resolving kernel loads once.
+    pub const ONE_DRAW: u32 = 1 << 22;
 }
 
 /// Blending of a segment.
@@ -104,7 +106,7 @@ impl FineKey {
     pub fn source(&self, shape: Shape, program: &Program, constants: &str) -> String {
         let shape = self.shape(shape);
         let (options, extra) = self.options(shape, program, Planes::Loaded);
-        let mut source = format!("const TP_LANES = {}u;\n{extra}{constants}", shape.fine_lanes);
+        let mut source = format!("const TP_LANES = {}u;\nconst TP_TEAMS = {}u;\n{extra}{constants}", shape.fine_lanes, shape.teams());
         for file in [files::COMMON, files::ARITHMETIC] {
             expand(file, &options, &mut source);
         }
@@ -165,6 +167,7 @@ impl FineKey {
             ("OFFSET", feature::OFFSET),
             ("TALL", feature::TALL),
             ("CENTRES", feature::CENTRES),
+            ("ONE_DRAW", feature::ONE_DRAW),
         ] {
             options.flag(name, on(bit));
         }
@@ -184,7 +187,7 @@ impl FineKey {
             self.samples > 1 && shape.vectors() && nearer_wins && on(feature::DEPTH_TEST) && !writes_depth && !on(feature::STENCIL_TEST);
         options.flag("REJECTS", rejects);
         options.flag("REJECTS_LATE", rejects && self.samples == 8);
-        let mut extra = format!("{}const TP_TEXEL_WORDS = {}u;\n", round_constant(shape), shape.texel_words);
+        let mut extra = round_constant(shape);
         let float_depth = self.depth_bits == DepthFormat::F32.bits();
         options.flag("FLOAT_DEPTH", float_depth);
         let (scale, mask) = if float_depth { (1, !0) } else { ((1u64 << self.depth_bits) - 1, 0xff_ffffu32) };

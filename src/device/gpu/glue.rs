@@ -32,8 +32,10 @@ fn interpolation_of(program: &Program, k: u8) -> u32 {
 /// Where the planes come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Planes {
-    /// Set-up has written them.
+    /// Set-up has written them; all lanes want the same.
     Loaded,
+    /// The host has written them; each lane wants others, and loads two words at a time.
+    Pairs,
     /// They are worked out from the corners `va`, `vb`, `vc`.
     Computed,
 }
@@ -81,6 +83,16 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape, source: Planes) -> G
     }
     if source == Planes::Computed {
         computed(&mut glue.planes, needs_z, needs_w, &varyings);
+    } else if source == Planes::Pairs {
+        let mut pairs: Vec<u32> = words.iter().map(|w| w / 2).collect();
+        pairs.dedup();
+        for pair in pairs {
+            let _ = writeln!(glue.planes, "let pp{pair} = tp_planes[(planes >> 1u) + {pair}u];");
+        }
+        for w in &words {
+            let shift = w % 2 * 32;
+            let _ = writeln!(glue.planes, "let p{w} = bitcast<f32>(u32((pp{} >> {shift}u) & 0xfffffffflu));", w / 2);
+        }
     } else if shape.subgroup8 {
         // Two words a lane, and of sixteen only what is wanted, because each lane's load takes its time.
         let mut groups: Vec<u32> = words.iter().map(|w| w / 16).collect();

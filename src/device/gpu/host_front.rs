@@ -25,8 +25,10 @@ pub struct HostFront {
     first: u32,
     /// Triangles of all steps, in order.
     pub triangles: Vec<Triangle>,
-    /// Their planes.
-    pub planes: Vec<[f32; 4]>,
+    /// Chunks of the last batch.
+    used: usize,
+    /// vec4 of their planes.
+    plane_vec4: usize,
     /// For each step of the batch, one past its last triangle.
     pub step_ends: Vec<usize>,
 }
@@ -40,18 +42,43 @@ impl HostFront {
         let HostFront { shaded, screen, chunks, stipple_counter, .. } = self;
         let input = SetupInput { batch, shaded, screen, screen_base: &screen_base, top_first, level: Level::from_environment() };
         runs::each(&runs, chunks, batch, stipple_counter, true, |run, chunk, counter| runs::set_up(run, chunk, &input, counter));
-        self.triangles.clear();
-        self.planes.clear();
         self.step_ends.clear();
-        let mut next = 0;
+        (self.used, self.plane_vec4) = (runs.len(), 0);
+        let chunks = &self.chunks[..runs.len()];
+        let count = chunks.iter().map(|chunk| chunk.triangles.len()).sum();
+        self.triangles.resize(count, Triangle::default());
+        let mut rest = &mut self.triangles[..];
+        let mut copies = Vec::with_capacity(chunks.len());
+        let (mut next, mut end) = (0, 0);
         for k in 0..batch.steps.len() {
             while next < runs.len() && runs[next].step == k {
-                let base = self.planes.len() as u32;
-                self.triangles.extend(self.chunks[next].triangles.iter().map(|t| Triangle { planes: t.planes + base, ..*t }));
-                self.planes.extend_from_slice(&self.chunks[next].planes);
+                let chunk = &chunks[next];
+                let (to, behind) = rest.split_at_mut(chunk.triangles.len());
+                copies.push((to, chunk, self.plane_vec4 as u32));
+                rest = behind;
+                end += chunk.triangles.len();
+                self.plane_vec4 += chunk.planes.len();
                 next += 1;
             }
-            self.step_ends.push(self.triangles.len());
+            self.step_ends.push(end);
+        }
+        copies.into_par_iter().for_each(|(to, chunk, base)| {
+            to.iter_mut().zip(&chunk.triangles).for_each(|(to, t)| *to = Triangle { planes: t.planes + base, ..*t });
+        });
+    }
+
+    /// Bytes of the triangles' planes.
+    pub fn plane_bytes(&self) -> usize {
+        self.plane_vec4 * 16
+    }
+
+    /// Writes them, from where the chunks left them: there are too many to be copied twice.
+    pub fn write_planes(&self, mut to: wgpu::WriteOnly<[u8]>) {
+        let mut at = 0;
+        for chunk in &self.chunks[..self.used] {
+            let bytes: &[u8] = bytemuck::cast_slice(&chunk.planes);
+            to.slice(at..at + bytes.len()).copy_from_slice(bytes);
+            at += bytes.len();
         }
     }
 

@@ -5,9 +5,6 @@ use bytemuck::{Pod, Zeroable};
 /// Words of a segment's record: first triangle, triangles, blocks of 32, super blocks of 1024; the rest reserved.
 pub const SEGMENT_WORDS: u32 = 8;
 
-/// A segment of fewer triangles gives the bin stage a lane for each triangle and row of bins.
-pub const FEW_TRIANGLES: u32 = 4096;
-
 /// Places (words) in the buffer of indirect dispatches.
 pub mod indirect {
     /// The tile stage's workgroups.
@@ -176,6 +173,10 @@ pub struct FrontParams {
     pub fan_capacity: u32,
     /// The first triangle of a clipped primitive's fan, in words of the queue, a word a primitive.
     pub map_base: u32,
+    /// Where the host has set up: the tiles of 8 x 8 pixels that triangles touch, in words of the queue.
+    pub tile_base: u32,
+    /// Their number.
+    pub tile_count: u32,
 }
 
 #[cfg(test)]
@@ -273,7 +274,9 @@ mod tests {
             item_capacity,
             fan_base,
             fan_capacity,
-            map_base
+            map_base,
+            tile_base,
+            tile_count
         );
         assert_eq!(members(files::FRONT, "TpFront"), rust);
     }

@@ -9,7 +9,7 @@ use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 use std::mem::offset_of;
 
-use super::params::{FEW_TRIANGLES, SEGMENT_WORDS, fresh, indirect};
+use super::params::{SEGMENT_WORDS, fresh, indirect};
 use crate::raster::layout::*;
 use crate::raster::vertex::{COORDINATE_RANGE, clip_code};
 
@@ -74,6 +74,7 @@ pub mod files {
     pub const VISIBLE: File = File { name: "visible.wgsl", text: include_str!("../../../shaders/visible.wgsl") };
     pub const KEYS: File = File { name: "keys.wgsl", text: include_str!("../../../shaders/keys.wgsl") };
     pub const VISIBLE_SMALL: File = File { name: "visible_small.wgsl", text: include_str!("../../../shaders/visible_small.wgsl") };
+    pub const VISIBLE_SET_UP: File = File { name: "visible_set_up.wgsl", text: include_str!("../../../shaders/visible_set_up.wgsl") };
     pub const VISIBLE_CLIP: File = File { name: "visible_clip.wgsl", text: include_str!("../../../shaders/visible_clip.wgsl") };
     pub const VISIBLE_LARGE: File = File { name: "visible_large.wgsl", text: include_str!("../../../shaders/visible_large.wgsl") };
     pub const VISIBLE_END: File = File { name: "visible_end.wgsl", text: include_str!("../../../shaders/visible_end.wgsl") };
@@ -90,6 +91,7 @@ pub mod files {
     pub const BLEND: File = File { name: "blend.wgsl", text: include_str!("../../../shaders/blend.wgsl") };
     pub const FRAGMENT_OPS: File = File { name: "fragment_ops.wgsl", text: include_str!("../../../shaders/fragment_ops.wgsl") };
     pub const STATE: File = File { name: "state.wgsl", text: include_str!("../../../shaders/state.wgsl") };
+    pub const RESOLVE_STATE: File = File { name: "resolve_state.wgsl", text: include_str!("../../../shaders/resolve_state.wgsl") };
     pub const FINE: File = File { name: "fine.wgsl", text: include_str!("../../../shaders/fine.wgsl") };
     pub const FINE_COLUMN: File = File { name: "fine_column.wgsl", text: include_str!("../../../shaders/fine_column.wgsl") };
     pub const ENTRY: File = File { name: "entry.wgsl", text: include_str!("../../../shaders/entry.wgsl") };
@@ -187,7 +189,7 @@ fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)
             }
             Some("//#include") if open.iter().all(|&o| o) => {
                 let name = words.next().unwrap_or_default();
-                let file = [files::ENTRY, files::FRAGMENT, files::SAMPLES, files::STATE]
+                let file = [files::ENTRY, files::FRAGMENT, files::SAMPLES, files::STATE, files::RESOLVE_STATE]
                     .into_iter()
                     .find(|f| f.name.strip_suffix(".wgsl") == Some(name));
                 expand_with(&file.expect("//#include names a file").read(), options, loads, out);
@@ -309,7 +311,6 @@ pub fn record_constants() -> String {
         ("TP_DEPTH_PLANE_VEC4", DEPTH_PLANE_VEC4),
         ("TP_VARYING_PLANE_VEC4", VARYING_PLANE_VEC4),
         ("TP_SEGMENT_WORDS", SEGMENT_WORDS),
-        ("TP_FEW_TRIANGLES", FEW_TRIANGLES),
         ("TP_FRESH_COLOR", fresh::COLOR),
         ("TP_FRESH_DEPTH", fresh::DEPTH),
         ("TP_FRESH_CLEARS", fresh::CLEARS),

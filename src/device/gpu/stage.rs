@@ -8,6 +8,8 @@ use super::source::{File, Options, expand, files};
 use crate::device::ColorFormat;
 use crate::program::{Output, Program};
 
+/// Lanes that work together where a SIMD register holds eight: a set of them is a subgroup.
+const TEAM_LANES: u32 = 8;
 /// Lanes of the set-up stages on a GPU.
 const FRONT_LANES: u32 = 256;
 /// Primitives of a lane's run where a workgroup is one SIMD register wide.
@@ -45,8 +47,8 @@ pub enum Stage {
     Clear(u32),
     /// The samples of pixels with such colours become one.
     Resolve(ColorFormat),
-    /// A kernel of the visible path, its depth function's LEQUAL, and bits of depth.
-    Visible(Visible, bool, u32),
+    /// A kernel of the visible path.
+    Visible(Visible, Offers),
 }
 
 /// The kernels of the visible path that know nothing of fragment programs.
@@ -57,6 +59,17 @@ pub enum Visible {
     Clip,
     Large,
     End,
+}
+
+/// What the keys of a segment are made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Offers {
+    /// The depth function is LEQUAL, not LESS.
+    pub lequal: bool,
+    /// Bits of depth.
+    pub depth_bits: u32,
+    /// The host has set up triangles with a polygon offset.
+    pub offset: bool,
 }
 
 /// What the kernels of set-up contain.
@@ -86,17 +99,19 @@ impl Stage {
     pub fn source(self, shape: Shape, constants: &str) -> String {
         let mut options = Options::default();
         shape_flags(&mut options, shape);
+        let wide = shape.vectors();
         let mut lanes = shape.list_lanes;
-        let wide = lanes > 8;
+        // Lanes of a workgroup that is one set of lanes that work together.
+        let team = |wide_lanes: u32| if wide { wide_lanes } else { TEAM_LANES };
         let mut extra = String::new();
         let mut features = 0;
         let parts: &[File] = match self {
             Stage::Cull(f) => {
-                (features, lanes) = (f, if wide { FRONT_LANES } else { lanes });
+                (features, lanes) = (f, team(FRONT_LANES));
                 &[files::PRIMITIVE, files::CULL]
             }
             Stage::Setup(f) => {
-                (features, lanes) = (f, if wide { FRONT_LANES } else { lanes });
+                (features, lanes) = (f, team(FRONT_LANES));
                 &[files::PRIMITIVE, files::CORNER, files::POINT_LINE, files::SETUP, files::INSIDE]
             }
             Stage::Clip(f) => {
@@ -104,7 +119,7 @@ impl Stage {
                 &[files::PRIMITIVE, files::CORNER, files::POLYGON, files::POINT_LINE, files::SETUP, files::CLIP]
             }
             Stage::Offsets => {
-                lanes = if wide { 256 } else { lanes };
+                lanes = team(256);
                 &[files::OFFSETS]
             }
             Stage::Bin(samples) => {
@@ -114,11 +129,12 @@ impl Stage {
             }
             Stage::Count => &[files::COUNT],
             Stage::Scan => {
-                lanes = if wide { 256 } else { lanes };
+                lanes = team(256);
                 &[files::SCAN]
             }
             Stage::Emit => &[files::EMIT],
             Stage::Tile(samples) => {
+                lanes = team(lanes) * shape.teams();
                 options.flag("SAMPLES", samples);
                 &[files::TILE]
             }
@@ -126,12 +142,18 @@ impl Stage {
                 color_flags(&mut options, color);
                 &[files::COLOR, files::RESOLVE]
             }
-            Stage::Visible(which, lequal, depth_bits) => {
-                lanes = VISIBLE_LANES;
+            Stage::Visible(which, offers) => {
                 options.flag("VISIBLE", true);
-                options.flag("LEQUAL", lequal);
-                let _ = writeln!(extra, "const TP_DEPTH_SCALE = {}.0;", (1u64 << depth_bits) - 1);
+                options.flag("SET_UP", shape.host_front);
+                options.flag("LEQUAL", offers.lequal);
+                let _ = writeln!(extra, "const TP_DEPTH_SCALE = {}.0;", (1u64 << offers.depth_bits) - 1);
+                features = if offers.offset { front::OFFSET } else { 0 };
+                if which != Visible::Small || !shape.host_front {
+                    lanes = VISIBLE_LANES;
+                }
                 match which {
+                    Visible::Small if shape.host_front => &[files::KEYS, files::VISIBLE_SET_UP],
+                    Visible::Large if shape.host_front => &[files::KEYS, files::VISIBLE_LARGE],
                     Visible::Small => &[files::PRIMITIVE, files::CORNER, files::KEYS, files::VISIBLE_SMALL],
                     Visible::Clip => &[files::PRIMITIVE, files::CORNER, files::POLYGON, files::KEYS, files::VISIBLE_CLIP],
                     Visible::Large => &[files::PRIMITIVE, files::CORNER, files::KEYS, files::VISIBLE_LARGE],
@@ -142,7 +164,10 @@ impl Stage {
                 options.flag("ATOMIC_LISTS", true);
                 &[files::ACTIVE]
             }
-            Stage::Round => &[files::ROUND],
+            Stage::Round => {
+                lanes = team(lanes);
+                &[files::ROUND]
+            }
             Stage::Clear(words) => {
                 let _ = writeln!(extra, "const TP_COLOR_WORDS = {words}u;\nconst TP_CLEAR_ROWS = {CLEAR_ROWS};");
                 &[files::CLEAR]
@@ -153,18 +178,21 @@ impl Stage {
         options.flag("SMOOTH", features & front::SMOOTH != 0);
         options.flag("OFFSET", features & front::OFFSET != 0);
         options.flag("RUNS", !wide);
-        let triangles = matches!(self, Stage::Bin(_) | Stage::Tile(_));
+        let visible = matches!(self, Stage::Visible(..));
+        let set_up = visible && shape.host_front;
+        let triangles = matches!(self, Stage::Bin(_) | Stage::Tile(_)) || set_up;
         options.flag("TRIANGLES", triangles);
-        options.flag("TRIANGLE_PAIRS", triangles && shape.subgroup8);
+        options.flag("TRIANGLE_PAIRS", triangles && shape.subgroup8 || set_up);
         let _ = writeln!(
             extra,
-            "{}const TP_RUN = {RUN}u;\nconst TP_SUMS = {}u;\nconst TP_EMIT_LANES = {}u;",
+            "{}const TP_RUN = {RUN}u;\nconst TP_TEAMS = {}u;\nconst TP_FEW_TRIANGLES = {}u;\nconst TP_SUMS = {}u;\nconst TP_EMIT_LANES = {}u;",
             round_constant(shape),
+            shape.teams(),
+            shape.few_triangles(),
             sums_of_a_group(shape),
             emit_lanes(shape)
         );
         let mut source = format!("const TP_LANES = {lanes}u;\n{extra}{constants}");
-        let visible = matches!(self, Stage::Visible(..));
         for (file, wanted) in [(files::COMMON, !self.is_front()), (files::FRONT, self.is_front() || visible), (files::VISIBLE, visible)] {
             if wanted {
                 expand(file, &options, &mut source);
@@ -187,6 +215,7 @@ pub fn shape_flags(options: &mut Options, shape: Shape) {
     options.flag("FUSES", shape.fuses);
     options.flag("SUBGROUP8", shape.subgroup8);
     options.flag("ROUNDS", shape.rounds());
+    options.flag("TEXEL_PAIRS", shape.texel_pairs);
 }
 
 /// How far a round goes.
@@ -196,17 +225,17 @@ pub fn round_constant(shape: Shape) -> String {
 
 /// Primitives of a group: what a workgroup of cull and set-up works on.
 pub fn group_size(shape: Shape) -> u32 {
-    if shape.list_lanes > 8 { FRONT_LANES } else { shape.list_lanes * RUN }
+    if shape.vectors() { FRONT_LANES } else { TEAM_LANES * RUN }
 }
 
 /// Sums that a group writes.
 pub fn sums_of_a_group(shape: Shape) -> u32 {
-    if shape.list_lanes > 8 { 1 } else { shape.list_lanes }
+    if shape.vectors() { 1 } else { TEAM_LANES }
 }
 
 /// Lanes of the emit stage for each bin and super block.
 pub fn emit_lanes(shape: Shape) -> u32 {
-    if shape.list_lanes > 8 { 32 } else { 1 }
+    if shape.vectors() { 32 } else { 1 }
 }
 
 /// The text of the vertex stage around a program.

@@ -27,6 +27,9 @@ impl GpuPlane {
     /// Of zeros.
     pub fn plane(gpu: &'static Gpu, size: [u32; 2], samples: u32, format: PlaneFormat) -> SharedPlane {
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
+        // Where there is one memory, pixels are read where they lie.
+        let mappable = gpu.device.features().contains(wgpu::Features::MAPPABLE_PRIMARY_BUFFERS);
+        let usage = if mappable { usage | wgpu::BufferUsages::MAP_READ } else { usage };
         let bytes = size[0] as u64 * size[1] as u64 * samples as u64 * format.words() as u64 * 4;
         let label = if matches!(format, PlaneFormat::Color(_)) { "colour" } else { "depth" };
         let buffer = create(&gpu.device, label, usage, bytes);
@@ -41,12 +44,19 @@ impl Storage for GpuPlane {
             return;
         }
         let Gpu { device, queue, .. } = self.gpu;
-        let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
-        let readback = self.readback.get_or_insert_with(|| create(device, "readback", usage, bytes));
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        encoder.copy_buffer_to_buffer(&self.buffer, 0, readback, 0, bytes);
-        queue.submit([encoder.finish()]);
-        let slice = readback.slice(..bytes);
+        let source = if self.buffer.usage().contains(wgpu::BufferUsages::MAP_READ) {
+            // What is still to be uploaded.
+            queue.submit([]);
+            &self.buffer
+        } else {
+            let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
+            let readback = self.readback.get_or_insert_with(|| create(device, "readback", usage, bytes));
+            let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            encoder.copy_buffer_to_buffer(&self.buffer, 0, readback, 0, bytes);
+            queue.submit([encoder.finish()]);
+            readback
+        };
+        let slice = source.slice(..bytes);
         slice.map_async(wgpu::MapMode::Read, |_| {});
         if let Err(e) = device.poll(wgpu::PollType::wait_indefinitely()) {
             log::error!(target: "tepui::gpu", "waiting for the GPU: {e}");
@@ -56,7 +66,7 @@ impl Storage for GpuPlane {
             Ok(bytes) => bytemuck::cast_slice_mut::<u32, u8>(rows).copy_from_slice(&bytes),
             Err(e) => log::error!(target: "tepui::gpu", "reading pixels back: {e}"),
         }
-        readback.unmap();
+        source.unmap();
     }
 
     fn write(&mut self, rows: &[u32]) {

@@ -189,9 +189,16 @@ fn kernels() -> Result<GpuDevice, String> {
     GpuDevice::with(|config| config.shape.host_front = false)
 }
 
-/// A GPU's workgroups.
-fn wide(config: &mut Config, fine_lanes: u32) {
-    (config.shape.fine_lanes, config.shape.list_lanes, config.shape.subgroup8) = (fine_lanes, 64, false);
+/// The shape that GPUs have, but for arithmetic.
+fn on_gpu(config: &mut Config, lanes: u32) {
+    let shape = &mut config.shape;
+    (shape.fine_lanes, shape.list_lanes, shape.subgroup8, shape.texel_pairs) = (lanes, 64, false, false);
+}
+
+/// Keys of triangles that the host has set up, whatever their size and number.
+fn keys_by_host(config: &mut Config) {
+    (config.shape.host_front, config.visible_from) = (true, 1);
+    (config.visible_pixels, config.visible_area) = (u64::MAX, u64::MAX);
 }
 
 /// Every way in which the kernels are put together: who sets up, lists or keys, wide and narrow workgroups, buffers that are too small.
@@ -205,33 +212,34 @@ fn all_ways() -> Vec<(&'static str, Result<GpuDevice, String>)> {
     };
     vec![
         ("set up by the host", with(|c| c.shape.host_front = true)),
+        ("set up by the host, keys", with(keys_by_host)),
         ("lists", with(|_| ())),
         ("keys", with(|c| c.visible_from = 1)),
         ("keys in little memory", with(|c| (c.visible_from, c.buffer_limit) = (1, 60_000))),
         ("lists in little memory", with(|c| c.buffer_limit = 30_000)),
-        ("32 lanes, no subgroups", with(|c| wide(c, 32))),
-        ("64 lanes, no subgroups", with(|c| wide(c, 64))),
         (
             "32 lanes in little memory",
             with(|c| {
-                wide(c, 32);
+                on_gpu(c, 32);
                 c.buffer_limit = 30_000;
             }),
         ),
         (
             "keys, 32 lanes",
             with(|c| {
-                wide(c, 32);
+                on_gpu(c, 32);
                 c.visible_from = 1;
             }),
         ),
         (
             "keys, 32 lanes in little memory",
             with(|c| {
-                wide(c, 32);
+                on_gpu(c, 32);
                 (c.visible_from, c.buffer_limit) = (1, 60_000);
             }),
         ),
+        ("32 lanes, as on a GPU", with(|c| on_gpu(c, 32))),
+        ("64 lanes, as on a GPU", with(|c| on_gpu(c, 64))),
         ("8 lanes, no subgroups", with(|c| c.shape.subgroup8 = false)),
         ("32 triangles a round", with(|c| c.shape.round_blocks = 1)),
     ]
@@ -326,8 +334,9 @@ fn triangles_from_one_end_of_the_coordinates_to_the_other_agree() {
 fn equal_depths_keep_the_order_of_their_function() {
     let size = [64, 48];
     // LESS keeps the first of two equal triangles, LEQUAL the last; half of them are clipped.
-    for (func, way) in [compare::LESS, compare::LEQUAL].into_iter().flat_map(|f| [(f, 1), (f, u32::MAX)]) {
-        let Ok(gpu) = GpuDevice::with(|config| (config.shape.host_front, config.visible_from) = (false, way)) else { return };
+    for func in [compare::LESS, compare::LEQUAL] {
+        let keys = |c: &mut Config| (c.shape.host_front, c.visible_from) = (false, 1);
+        let lists = |c: &mut Config| (c.shape.host_front, c.visible_from) = (false, u32::MAX);
         let mut builder = Builder::new(size[0], size[1]);
         let state = FragmentState { flags: fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE, depth_func: func, ..fragment_state() };
         let mut vertices = Vec::new();
@@ -339,7 +348,10 @@ fn equal_depths_keep_the_order_of_their_function() {
             }
         }
         builder.draw(topology::TRIANGLES, &vertices, 0, state);
-        compare_with(&gpu, &builder.batch, size, FORMAT);
+        for gpu in [GpuDevice::with(keys), GpuDevice::with(lists), GpuDevice::with(keys_by_host)] {
+            let Ok(gpu) = gpu else { return };
+            compare_with(&gpu, &builder.batch, size, FORMAT);
+        }
     }
 }
 
@@ -554,8 +566,13 @@ fn every_wrap_mode_and_filter_samples_the_same_texels() {
         let mut builder = Builder::new(size[0], size[1]);
         builder.programs.1 = textured();
         builder.batch.textures.push(TextureBinding { image, sampler });
-        builder.draw(topology::TRIANGLES, &soup(&mut random, 6, 1.5, case % 2 == 0), 0, fragment_state());
-        compare_executors(&builder.batch, size, FORMAT);
+        let state = FragmentState { flags: fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE, ..fragment_state() };
+        builder.draw(topology::TRIANGLES, &soup(&mut random, 6, 1.5, case % 2 == 0), 0, state);
+        // Texels from a buffer, from an image, and from an image by keys.
+        for gpu in [GpuDevice::with(|c| on_gpu(c, 32)), kernels(), GpuDevice::with(keys_by_host)] {
+            let Ok(gpu) = gpu else { return };
+            compare_with(&gpu, &builder.batch, size, FORMAT);
+        }
     }
 }
 

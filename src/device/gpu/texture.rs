@@ -154,11 +154,59 @@ impl LevelRoom {
     }
 }
 
+/// Pairs of a row of [`PairImage`]: `tp_texel_pair` of `shaders/texture.wgsl`.
+const PAIR_ROW: u32 = 4096;
+
+/// Storage of a pair.
+pub const PAIR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Uint;
+
+/// Pairs of words, row after row of an image of the device's.
+struct PairImage {
+    texture: wgpu::Texture,
+    view: wgpu::TextureView,
+    /// Counts replacements.
+    generation: u32,
+}
+
+impl PairImage {
+    fn new(device: &wgpu::Device, rows: u32, generation: u32) -> PairImage {
+        let texture = device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("texels"),
+            size: wgpu::Extent3d { width: PAIR_ROW, height: rows, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: PAIR_FORMAT,
+            usage: wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_DST,
+            view_formats: &[],
+        });
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        PairImage { texture, view, generation }
+    }
+
+    /// Writes whole rows from row `first` on.
+    fn write(&self, queue: &wgpu::Queue, first: u32, words: &[u32]) {
+        let bytes_per_row = PAIR_ROW * 8;
+        let rows = words.len() as u32 * 4 / bytes_per_row;
+        let origin = wgpu::Origin3d { x: 0, y: first, z: 0 };
+        let to = wgpu::TexelCopyTextureInfo { texture: &self.texture, mip_level: 0, origin, aspect: wgpu::TextureAspect::All };
+        let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(bytes_per_row), rows_per_image: None };
+        let size = wgpu::Extent3d { width: PAIR_ROW, height: rows, depth_or_array_layers: 1 };
+        queue.write_texture(to, cast_slice(words), layout, size);
+    }
+}
+
+/// Where texels lie on the device.
+enum Texels {
+    /// Word after word.
+    Buffer(Growing),
+    /// See [`Shape::texel_pairs`].
+    Pairs(PairImage),
+}
+
 /// The texels of all images, cached by the images' ids.
 pub struct Heap {
-    texels: Growing,
-    /// Every texel of four bytes is followed by its right neighbour, the last of a row by the first: see [`Shape::texel_words`].
-    pairs: bool,
+    texels: Texels,
     offsets: HashMap<u64, u32>,
     used: u32,
 }
@@ -166,22 +214,57 @@ pub struct Heap {
 impl Heap {
     /// Empty.
     pub fn new(device: &wgpu::Device, shape: Shape) -> Heap {
-        let texels = Growing::new(device, "texels", wgpu::BufferUsages::STORAGE);
-        Heap { texels, pairs: shape.texel_words == 2, offsets: HashMap::new(), used: 0 }
+        let texels = match shape.texel_pairs {
+            true => Texels::Pairs(PairImage::new(device, 1, 0)),
+            false => Texels::Buffer(Growing::new(device, "texels", wgpu::BufferUsages::STORAGE)),
+        };
+        Heap { texels, offsets: HashMap::new(), used: 0 }
     }
 
-    /// Changes when the buffer was replaced.
+    /// Changes when the buffer or image was replaced.
     pub fn generation(&self) -> u32 {
-        self.texels.generation
+        match &self.texels {
+            Texels::Buffer(buffer) => buffer.generation,
+            Texels::Pairs(image) => image.generation,
+        }
     }
 
-    /// The buffer.
-    pub fn buffer(&self) -> &wgpu::Buffer {
-        self.texels.get()
+    /// The buffer or image.
+    pub fn resource(&self) -> wgpu::BindingResource<'_> {
+        match &self.texels {
+            Texels::Buffer(buffer) => buffer.get().as_entire_binding(),
+            Texels::Pairs(image) => wgpu::BindingResource::TextureView(&image.view),
+        }
+    }
+
+    fn pairs(&self) -> bool {
+        matches!(self.texels, Texels::Pairs(_))
+    }
+
+    /// Words that fit.
+    fn capacity(&self) -> u64 {
+        match &self.texels {
+            Texels::Buffer(buffer) => buffer.get().size() / 4,
+            Texels::Pairs(image) => image.texture.height() as u64 * PAIR_ROW as u64 * 2,
+        }
+    }
+
+    fn reserve(&mut self, device: &wgpu::Device, words: u64) {
+        match &mut self.texels {
+            Texels::Buffer(buffer) => buffer.reserve(device, words * 4),
+            Texels::Pairs(image) => {
+                let rows = words.div_ceil(PAIR_ROW as u64 * 2) as u32;
+                if rows > image.texture.height() {
+                    let rows = rows.max((image.texture.height() * 2).min(device.limits().max_texture_dimension_2d));
+                    *image = PairImage::new(device, rows, image.generation + 1);
+                }
+            }
+        }
     }
 
     fn words(&self, image: &TextureImage) -> u32 {
-        LevelRoom::new(image, self.pairs).offset(image.levels.len() as u32).next_multiple_of(2)
+        let words = LevelRoom::new(image, self.pairs()).offset(image.levels.len() as u32);
+        if self.pairs() { words.next_multiple_of(PAIR_ROW * 2) } else { words }
     }
 
     /// Uploads the images of these bindings that are not there yet.
@@ -196,7 +279,7 @@ impl Heap {
             return;
         }
         let more: u64 = missing.iter().map(|i| self.words(i) as u64).sum();
-        if (self.used as u64 + more) * 4 > self.texels.get().size() {
+        if self.used as u64 + more > self.capacity() {
             // Start over with what this batch needs: a simple rule, rarely used, since the buffer doubles.
             self.offsets.clear();
             self.used = 0;
@@ -207,17 +290,30 @@ impl Heap {
                 }
             }
             let all: u64 = missing.iter().map(|i| self.words(i) as u64).sum();
-            self.texels.reserve(device, all * 4);
+            self.reserve(device, all);
         }
         for image in missing {
             self.offsets.insert(image.id, self.used);
-            let room = LevelRoom::new(image, self.pairs);
-            for (k, level) in image.levels.iter().enumerate() {
-                let at = (self.used + room.offset(k as u32)) as u64 * 4;
-                if self.pairs && image.format == TexelFormat::Rgba8 {
-                    queue.write_buffer(self.texels.get(), at, cast_slice(&with_neighbours(level)));
-                } else {
-                    queue.write_buffer(self.texels.get(), at, cast_slice(&level.texels));
+            let room = LevelRoom::new(image, self.pairs());
+            match &self.texels {
+                Texels::Buffer(buffer) => {
+                    for (k, level) in image.levels.iter().enumerate() {
+                        let at = (self.used + room.offset(k as u32)) as u64 * 4;
+                        queue.write_buffer(buffer.get(), at, cast_slice(&level.texels));
+                    }
+                }
+                Texels::Pairs(pairs) => {
+                    let mut words = vec![0; self.words(image) as usize];
+                    for (k, level) in image.levels.iter().enumerate() {
+                        let to = &mut words[room.offset(k as u32) as usize..];
+                        if image.format == TexelFormat::Rgba8 {
+                            let level = with_neighbours(level);
+                            to[..level.len() * 2].copy_from_slice(level.as_flattened());
+                        } else {
+                            to[..level.texels.len()].copy_from_slice(&level.texels);
+                        }
+                    }
+                    pairs.write(queue, self.used / (PAIR_ROW * 2), &words);
                 }
             }
             self.used += self.words(image);
@@ -229,7 +325,7 @@ impl Heap {
         let start = words.len();
         words.resize(start + bindings.len() * BINDING_WORDS, 0);
         for (k, b) in bindings.iter().enumerate() {
-            let room = LevelRoom::new(&b.image, self.pairs);
+            let room = LevelRoom::new(&b.image, self.pairs());
             let s = &b.sampler;
             let record = &mut words[start + k * BINDING_WORDS..][..BINDING_WORDS];
             record[0] = room.base;

@@ -13,8 +13,18 @@ use crate::raster::layout::*;
 
 /// Fewer triangles are drawn by lists: looking at every pixel of the surface would cost more.
 pub const WORTH_IT: u32 = 2048;
+/// Most pixels of the tiles that they touch for each triangle that the host has set up: the resolving kernel looks at all of them.
+pub const WORTH_IT_AREA: u64 = 32;
+/// Most pixels, on average, of the rectangles of such triangles: an atomic minimum costs more than a register. Twice as
+/// many where textures make shading dear, which keys do once a pixel.
+pub const WORTH_IT_PIXELS: u64 = 64;
 /// Words of the queue's counters.
 const COUNTERS: u32 = 8;
+/// Most samples of a triangle that a lane looks at by itself, in how many columns or rows, and the length of its edges in 1/256 pixel:
+/// `shaders/keys.wgsl`.
+const SMALL: u32 = 512;
+const SMALL_SIDE: u32 = 64;
+const NEAR: u32 = 0x4000;
 /// Lanes of the resolving kernel's workgroups.
 pub const RESOLVE_LANES: u32 = 256;
 
@@ -46,6 +56,58 @@ pub fn is_filled(batch: &Batch, draw: usize) -> bool {
 /// The segment's depth function is LEQUAL, not LESS.
 pub fn is_lequal(key: &FineKey) -> bool {
     key.depth_func == Some(compare::LEQUAL)
+}
+
+/// The same of triangles that the host has set up. Their kernels leave the depth range out.
+pub fn serves_set_up(key: &FineKey, program: &Program) -> bool {
+    key.features & feature::DEPTH_RANGE == 0 && serves(key, program)
+}
+
+/// Columns and rows of the rectangle of a triangle.
+pub fn extent(t: &Triangle) -> [u32; 2] {
+    [t.columns, t.rows].map(|v| (v >> 16) - (v & 0xffff) + 1)
+}
+
+/// The tiles of 8 x 8 pixels, row by row on a surface of `columns` tiles a row and `rows` rows of them, that triangles' rectangles touch.
+pub fn touched(triangles: &[Triangle], [columns, rows]: [u32; 2]) -> Vec<u32> {
+    let mut touched = vec![false; columns as usize * rows as usize];
+    for t in triangles {
+        let [x, y] = [t.columns, t.rows].map(|v| (v & 0xffff) / 8..=(v >> 16) / 8);
+        for row in y {
+            touched[(row * columns + x.start()) as usize..=(row * columns + x.end()) as usize].fill(true);
+        }
+    }
+    touched.into_iter().zip(0..).filter(|t| t.0).map(|t| t.1).collect()
+}
+
+/// Parameters for the triangles of a segment that the host has set up. Queues the blocks of the large ones and the tiles that they touch:
+/// `items` holds what the queue will.
+pub fn set_up(triangles: &[Triangle], tiles: &[u32], first: usize, items: &mut Vec<u32>, base: FrontParams) -> FrontParams {
+    if items.is_empty() {
+        items.resize(COUNTERS as usize, 0);
+    }
+    let item_base = items.len() as u32;
+    for (t, k) in triangles.iter().zip(first as u32..) {
+        let [width, height] = extent(t);
+        let near = |v: [i32; 3]| (0..3).all(|i| v[i].abs_diff(v[(i + 1) % 3]) < NEAR);
+        if width <= SMALL_SIDE && height <= SMALL_SIDE && width * height <= SMALL && near(t.x) && near(t.y) {
+            continue;
+        }
+        for row in 0..height.div_ceil(64) {
+            items.extend((0..width.div_ceil(64)).flat_map(|column| [k, 0, column | row << 16]));
+        }
+    }
+    let tile_base = items.len() as u32;
+    items.extend_from_slice(tiles);
+    FrontParams {
+        first_primitive: first as u32,
+        primitive_count: triangles.len() as u32,
+        item_base,
+        item_capacity: (tile_base - item_base) / 3,
+        tile_base,
+        tile_count: tiles.len() as u32,
+        ..base
+    }
 }
 
 /// Parameters for the primitives of a segment, and the words of the queue that they take.
@@ -80,15 +142,60 @@ pub fn resolve_source(key: &FineKey, shape: Shape, program: &Program, constants:
     let depth = feature::DEPTH_TEST | feature::DEPTH_WRITE | feature::DEPTH_BUFFER;
     let without = FineKey { features: key.features & !depth, depth_func: None, ..key.clone() };
     let shape = Shape { subgroup8: false, ..shape };
-    let (mut options, extra) = without.options(shape, program, Planes::Computed);
+    let planes = if shape.host_front { Planes::Pairs } else { Planes::Computed };
+    let (mut options, extra) = without.options(shape, program, planes);
+    options.flag("SET_UP", shape.host_front);
+    options.flag("SUBGROUP8", key.features & feature::ONE_DRAW != 0);
+    options.flag("TRIANGLES", shape.host_front);
+    options.flag("TRIANGLE_PAIRS", shape.host_front);
     options.flag("VISIBLE", true);
     options.flag("RESOLVE", true);
     options.flag("LEQUAL", is_lequal(key));
     let mut source = format!("const TP_LANES = {RESOLVE_LANES}u;\n{extra}{constants}");
-    for file in [files::COMMON, files::FRONT, files::VISIBLE, files::ARITHMETIC, files::PRIMITIVE, files::CORNER] {
-        expand(file, &options, &mut source);
+    let primitives: &[_] = if shape.host_front { &[] } else { &[files::PRIMITIVE, files::CORNER] };
+    for file in [files::COMMON, files::FRONT, files::VISIBLE, files::ARITHMETIC].iter().chain(primitives) {
+        expand(*file, &options, &mut source);
     }
     without.shading(&options, program, &mut source);
     expand(files::VISIBLE_RESOLVE, &options, &mut source);
     source
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn triangle(columns: [u32; 2], rows: [u32; 2], reach: i32) -> Triangle {
+        let packed = |v: [u32; 2]| v[0] | v[1] << 16;
+        Triangle { x: [0, reach, 0], y: [0, 0, 256], columns: packed(columns), rows: packed(rows), ..Triangle::default() }
+    }
+
+    #[test]
+    fn triangles_that_a_lane_cannot_draw_are_queued_in_blocks() {
+        let all = [
+            triangle([3, 10], [5, 12], 8 * 256),
+            // 101 x 70 pixels: two blocks of two.
+            triangle([20, 120], [0, 69], 100 * 256),
+            // The scissor left a pixel, but its edges are long.
+            triangle([7, 7], [9, 9], NEAR as i32),
+            // 32 x 16 samples are as many as a lane looks at, 32 x 17 are not.
+            triangle([0, 31], [0, 15], 31 * 256),
+            triangle([0, 31], [0, 16], 31 * 256),
+        ];
+        let mut items = Vec::new();
+        let tiles = touched(&all, [16, 9]);
+        let params = set_up(&all, &tiles, 100, &mut items, FrontParams::default());
+        assert_eq!((params.first_primitive, params.primitive_count, params.item_base, params.item_capacity), (100, 5, COUNTERS, 6));
+        let queued: Vec<_> = items[COUNTERS as usize..params.tile_base as usize].chunks(3).map(|i| (i[0], i[2])).collect();
+        assert_eq!(queued, [(101, 0), (101, 1), (101, 1 << 16), (101, 1 | 1 << 16), (102, 0), (104, 0)]);
+        assert_eq!(items[params.tile_base as usize..], tiles);
+        assert_eq!(params.tile_count as usize, tiles.len());
+    }
+
+    #[test]
+    fn tiles_are_touched_by_rectangles() {
+        // Columns 7 and 8 are of two tiles, rows 15 and 16 too; the second lies inside the first, the third at the surface's end.
+        let all = [triangle([7, 8], [15, 16], 256), triangle([8, 9], [16, 17], 256), triangle([31, 31], [39, 39], 256)];
+        assert_eq!(touched(&all, [4, 5]), [4, 5, 8, 9, 19]);
+    }
 }
