@@ -31,7 +31,7 @@ static void resolve(int width, int height, GLuint framebuffer, GLuint buffers[2]
     text_error("at the end");
 }
 
-SCENE(fbo_multisample, SHADED, 256, 256, 0, "four samples a pixel, resolved")
+SCENE(fbo_multisample, EXACT, 256, 256, 0, "four samples a pixel, resolved")
 {
     GLuint buffers[2], framebuffer;
     multisampled(width, height, &framebuffer, buffers);

@@ -39,7 +39,8 @@ pub fn supported(wish: u32) -> Option<u32> {
     (wish <= MAX_SAMPLES).then(|| wish.max(1).next_power_of_two())
 }
 
-/// A pixel's colour from its samples: their mean, rounded to nearest, halves up. `samples` and `out` hold as many words as the format has.
+/// A pixel's colour from its samples: their mean, rounded to nearest. Halves go up; in eight bits they go where OSMesa's sum of components
+/// from 0 to 1 in single precision takes them. `samples` and `out` hold as many words as the format has.
 pub fn mean(format: ColorFormat, samples: &[&[u32]], out: &mut [u32]) {
     let n = samples.len() as u32;
     let fields = |word: usize, shifts: &[(u32, u32)]| {
@@ -49,7 +50,7 @@ pub fn mean(format: ColorFormat, samples: &[&[u32]], out: &mut [u32]) {
         })
     };
     match format {
-        ColorFormat::Rgba8 | ColorFormat::Rgbx8 => out[0] = fields(0, &[(0, 8), (8, 8), (16, 8), (24, 8)]),
+        ColorFormat::Rgba8 | ColorFormat::Rgbx8 => mean_bytes(samples.iter().map(|s| &s[..1]), &mut out[..1]),
         ColorFormat::Rgb565 => out[0] = fields(0, &[(0, 5), (5, 6), (11, 5)]),
         ColorFormat::Rgba16 => (0..2).for_each(|k| out[k] = fields(k, &[(0, 16), (16, 16)])),
         ColorFormat::Rgba32f => {
@@ -61,20 +62,53 @@ pub fn mean(format: ColorFormat, samples: &[&[u32]], out: &mut [u32]) {
     }
 }
 
+/// Pixels of a block.
+const BLOCK: usize = 64;
+
+/// The same of at most [`BLOCK`] pixels of four bytes, in single precision.
+fn mean_bytes<'a>(samples: impl ExactSizeIterator<Item = &'a [u32]>, out: &mut [u32]) {
+    /// Sums with it have their integer in the low bits, rounded to nearest even.
+    const MAGIC: f32 = (1 << 23) as f32;
+    let share = 1.0 / samples.len() as f32;
+    let mut sums = [[0.0f32; BLOCK]; 4];
+    for sample in samples {
+        for (c, sums) in sums.iter_mut().enumerate() {
+            for (sum, word) in sums.iter_mut().zip(sample) {
+                *sum += (word >> (8 * c) & 255) as i32 as f32 * (1.0 / 255.0);
+            }
+        }
+    }
+    let byte = |sum: f32| (sum * share * 255.0 + MAGIC).to_bits() & 255;
+    for (k, out) in out.iter_mut().enumerate() {
+        *out = byte(sums[0][k]) | byte(sums[1][k]) << 8 | byte(sums[2][k]) << 16 | byte(sums[3][k]) << 24;
+    }
+}
+
 /// The same of many pixels of four bytes, a slice a sample (2, 4, 8 or 16 of them), two bytes at a time: 16 bits hold the sum of 16 samples.
+/// Only where there are halves the order of sums matters.
 pub fn means_of_bytes(samples: &[&[u32]], out: &mut [u32]) {
+    const ONES: u32 = 0x0001_0001;
     let (low, shift) = (0x00ff_00ff, samples.len().ilog2());
-    let half = (samples.len() as u32 / 2) * 0x0001_0001;
-    for (block, out) in out.chunks_mut(64).enumerate() {
-        let (mut even, mut odd) = ([half; 64], [half; 64]);
+    let half = (samples.len() as u32 / 2) * ONES;
+    let rest = (samples.len() as u32 - 1) * ONES;
+    // Not zero where the remainder of either half of a word is zero, or perhaps where only its upper neighbour's is.
+    let is_half = |sum: u32| (sum & rest).wrapping_sub(ONES) & !(sum & rest) & 0x8000_8000;
+    for (block, out) in out.chunks_mut(BLOCK).enumerate() {
+        let (mut even, mut odd) = ([half; BLOCK], [half; BLOCK]);
         for sample in samples {
-            for (k, word) in sample[block * 64..][..out.len()].iter().enumerate() {
+            for (k, word) in sample[block * BLOCK..][..out.len()].iter().enumerate() {
                 even[k] += word & low;
                 odd[k] += word >> 8 & low;
             }
         }
+        let mut halves = 0;
         for (k, out) in out.iter_mut().enumerate() {
+            halves |= is_half(even[k]) | is_half(odd[k]);
             *out = even[k] >> shift & low | (odd[k] >> shift & low) << 8;
+        }
+        if halves != 0 {
+            let count = out.len();
+            mean_bytes(samples.iter().map(|sample| &sample[block * BLOCK..][..count]), out);
         }
     }
 }
@@ -125,10 +159,31 @@ mod tests {
     }
 
     #[test]
+    fn halves_go_where_osmesa_takes_them() {
+        // Of OSMesa of Mesa 22.3: four samples, and what they become.
+        let cases = [
+            [14, 144, 72, 236, 117],
+            [171, 153, 142, 248, 179],
+            [38, 174, 84, 74, 92],
+            [135, 86, 35, 178, 108],
+            [35, 207, 180, 84, 126],
+            [71, 108, 138, 81, 100],
+        ];
+        for [a, b, c, d, want] in cases {
+            let mut out = [0];
+            mean(ColorFormat::Rgba8, &[&[a], &[b], &[c], &[d]], &mut out);
+            assert_eq!(out, [want], "{a} {b} {c} {d}");
+        }
+    }
+
+    #[test]
     fn means_round_to_nearest() {
         let mut out = [0];
-        mean(ColorFormat::Rgba8, &[&[0xff00_0001], &[0xff00_0002]], &mut out);
-        assert_eq!(out, [0xff00_0002]);
+        for sum in 0..=1020u32 {
+            let all = [0, 1, 2, 3].map(|k| (sum + k) / 4);
+            mean(ColorFormat::Rgba8, &all.each_ref().map(std::slice::from_ref), &mut out);
+            assert!((4 * out[0]).abs_diff(sum) <= 2, "{sum}");
+        }
         mean(ColorFormat::Rgb565, &[&[31], &[0], &[31 << 11], &[63 << 5]], &mut out);
         assert_eq!(out, [8 | 16 << 5 | 8 << 11]);
     }
