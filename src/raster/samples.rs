@@ -6,7 +6,7 @@ use super::fine::{Extent, Row, Scene, Worker, depth, direct_color, queue, row8};
 use super::hi_z::Nearest;
 use super::layout::*;
 use super::plan::Plan;
-use super::simd::Simd;
+use super::simd::{Level, Simd};
 use super::store::{BIN_PIXELS, BinPixels};
 use super::tile::{FULL, LocalEdges};
 use super::write::{self, Color};
@@ -48,7 +48,8 @@ pub fn tiles<S: Simd>(worker: &mut Worker, scene: &Scene, plan: &Plan, t: &Trian
     let several = t.flags & triangle_flags::MULTISAMPLE != 0;
     if several && plan.fast_samples != fast::NONE {
         return match count {
-            4 => fast_samples::draw::<S, 4>(worker, scene, plan, t, planes, bin),
+            // Unrolled, a level without the instructions only grows: a sample takes a few hundred of its own.
+            4 if S::LEVEL != Level::Scalar => fast_samples::draw::<S, 4>(worker, scene, plan, t, planes, bin),
             _ => fast_samples::draw::<S, { MAX_SAMPLES as usize }>(worker, scene, plan, t, planes, bin),
         };
     }

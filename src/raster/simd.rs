@@ -172,21 +172,18 @@ const fn masks() -> [[i8; 8]; 256] {
 #[derive(Clone, Copy)]
 pub struct Portable;
 
+/// The numbers of the lanes.
+const LANES: [usize; 8] = [0, 1, 2, 3, 4, 5, 6, 7];
+
+// Written out: as loops, each of thousands that are inlined into one kernel, they take the compiler minutes.
 #[inline(always)]
-fn map<T: Copy, U: Copy + Default>(a: [T; 8], f: impl Fn(T) -> U) -> [U; 8] {
-    let mut r = [U::default(); 8];
-    for k in 0..8 {
-        r[k] = f(a[k]);
-    }
-    r
+fn map<T: Copy, U>(a: [T; 8], f: impl Fn(T) -> U) -> [U; 8] {
+    [f(a[0]), f(a[1]), f(a[2]), f(a[3]), f(a[4]), f(a[5]), f(a[6]), f(a[7])]
 }
 #[inline(always)]
-fn zip<T: Copy, U: Copy + Default>(a: [T; 8], b: [T; 8], f: impl Fn(T, T) -> U) -> [U; 8] {
-    let mut r = [U::default(); 8];
-    for k in 0..8 {
-        r[k] = f(a[k], b[k]);
-    }
-    r
+fn zip<T: Copy, U>(a: [T; 8], b: [T; 8], f: impl Fn(T, T) -> U) -> [U; 8] {
+    let lane = |k| f(a[k], b[k]);
+    [lane(0), lane(1), lane(2), lane(3), lane(4), lane(5), lane(6), lane(7)]
 }
 #[inline(always)]
 fn by_halves(a: i32, b: i32, f: impl Fn(u16, u16) -> u16) -> i32 {
@@ -237,13 +234,11 @@ impl Simd for Portable {
     fn div(a: Self::F, b: Self::F) -> Self::F {
         zip(a, b, |a, b| a / b)
     }
-    #[inline(always)]
+    // Without the instruction each lane is a call: one function of eight is enough code.
+    #[cfg_attr(target_arch = "x86_64", inline(never))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline(always))]
     fn fma(a: Self::F, b: Self::F, c: Self::F) -> Self::F {
-        let mut r = [0.0; 8];
-        for k in 0..8 {
-            r[k] = a[k].mul_add(b[k], c[k]);
-        }
-        r
+        map(LANES, |k| a[k].mul_add(b[k], c[k]))
     }
     #[inline(always)]
     fn clamp(a: Self::F, low: Self::F, high: Self::F) -> Self::F {
@@ -253,7 +248,8 @@ impl Simd for Portable {
     fn at_most(a: Self::F, high: Self::F) -> Self::F {
         zip(a, high, |a, h| if h < a { h } else { a })
     }
-    #[inline(always)]
+    #[cfg_attr(target_arch = "x86_64", inline(never))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline(always))]
     fn round(a: Self::F) -> Self::I {
         map(a, |x| {
             let r = x.round_ties_even();
@@ -334,19 +330,12 @@ impl Simd for Portable {
     }
     #[inline(always)]
     fn select(mask: Self::I, a: Self::I, b: Self::I) -> Self::I {
-        let mut r = [0; 8];
-        for k in 0..8 {
-            r[k] = if mask[k] < 0 { a[k] } else { b[k] };
-        }
-        r
+        map(LANES, |k| if mask[k] < 0 { a[k] } else { b[k] })
     }
     #[inline(always)]
     fn signs(a: Self::I) -> u32 {
-        let mut r = 0;
-        for k in 0..8 {
-            r |= (a[k] as u32 >> 31) << k;
-        }
-        r
+        let sign = |k| (a[k] as u32 >> 31) << k;
+        sign(0) | sign(1) | sign(2) | sign(3) | sign(4) | sign(5) | sign(6) | sign(7)
     }
     #[inline(always)]
     fn mul16(a: Self::I, b: Self::I) -> Self::I {
@@ -374,13 +363,8 @@ impl Simd for Portable {
     }
     #[inline(always)]
     fn bytes(c: [Self::I; 4]) -> Self::I {
-        let mut r = [0; 8];
-        for k in 0..8 {
-            for (byte, lanes) in c.iter().enumerate() {
-                r[k] |= lanes[k].clamp(0, 255) << (8 * byte);
-            }
-        }
-        r
+        let byte = |c: i32| c.clamp(0, 255);
+        map(LANES, |k| byte(c[0][k]) | byte(c[1][k]) << 8 | byte(c[2][k]) << 16 | byte(c[3][k]) << 24)
     }
     #[inline(always)]
     fn two(a: &[f32; 4], b: &[f32; 4]) -> Self::F {
@@ -396,13 +380,8 @@ impl Simd for Portable {
     }
     #[inline(always)]
     fn bytes_of_twos(c: [Self::I; 4]) -> Self::I {
-        let mut r = [0; 8];
-        for k in 0..8 {
-            for byte in 0..4 {
-                r[k] |= c[k % 4][k / 4 * 4 + byte].clamp(0, 255) << (8 * byte);
-            }
-        }
-        r
+        let byte = |k: usize, byte: usize| c[k % 4][k / 4 * 4 + byte].clamp(0, 255) << (8 * byte);
+        map(LANES, |k| byte(k, 0) | byte(k, 1) | byte(k, 2) | byte(k, 3))
     }
     #[inline(always)]
     fn mask(bits: u32) -> Self::I {
@@ -418,23 +397,12 @@ impl Simd for Portable {
     }
     #[inline(always)]
     fn columns(rows: [&[f32; 4]; 8]) -> [Self::F; 4] {
-        let mut r = [[0.0; 8]; 4];
-        for (k, row) in rows.iter().enumerate() {
-            for c in 0..4 {
-                r[c][k] = row[c];
-            }
-        }
-        r
+        let column = |c: usize| map(rows, |row| row[c]);
+        [column(0), column(1), column(2), column(3)]
     }
     #[inline(always)]
     fn rows(columns: [Self::F; 4]) -> [[f32; 4]; 8] {
-        let mut r = [[0.0; 4]; 8];
-        for (c, column) in columns.iter().enumerate() {
-            for k in 0..8 {
-                r[k][c] = column[k];
-            }
-        }
-        r
+        map(LANES, |k| [columns[0][k], columns[1][k], columns[2][k], columns[3][k]])
     }
     #[inline(always)]
     fn extend(v: &[u8; 8]) -> Self::I {
