@@ -23,10 +23,10 @@ fn tp_clip_line(p: TpPrimitive, index: u32) {
     }
     var a = 0u;
     var b = 1u;
-    if (tp_screen[p.screen.x * 2u + 1u].z != 0u) {
+    if (tp_code(p, 0u) != 0u) {
         a = tp_interpolate(p, 0u, 1u, t.x);
     }
-    if (tp_screen[p.screen.y * 2u + 1u].z != 0u) {
+    if (tp_code(p, 1u) != 0u) {
         b = tp_interpolate(p, 1u, 0u, t.y);
     }
     tp_line(p, index, tp_clip_corner(p, a), tp_clip_corner(p, b), true);

@@ -1,12 +1,4 @@
-// Corners of a triangle and the planes through them: the arithmetic of src/raster/setup.rs, in the same order of operations.
-
-struct TpCorner {
-    position: vec3<f32>,
-    inv_w: f32,
-    snapped: vec2<i32>,
-    // Its first vec4 in tp_shaded.
-    at: u32,
-}
+// The planes through a triangle's corners: the arithmetic of src/raster/setup.rs, in the same order of operations.
 
 // What the planes of a triangle share.
 struct TpBasis {
@@ -20,11 +12,6 @@ struct TpBasis {
 
 // The vertex that flat varyings come from (vec4 in tp_shaded).
 var<private> tp_provoking: u32;
-
-fn tp_corner(screen: u32, shaded: u32) -> TpCorner {
-    let place = bitcast<vec4<f32>>(tp_screen[screen * 2u]);
-    return TpCorner(place.xyz, place.w, bitcast<vec2<i32>>(tp_screen[screen * 2u + 1u].xy), shaded);
-}
 
 // Where planes begin in a pixel: at its centre, but for multisampled primitives at its first corner (setup.rs, to_centre).
 fn tp_origin(state_flags: u32) -> f32 {

@@ -50,13 +50,11 @@ struct TpFront {
 @group(0) @binding(3) var<storage, read> tp_front_records: array<u32>;
 // Shaded vertices as their draws lay them out; behind them the pool: vertices that clipping makes.
 @group(0) @binding(4) var<storage, read_write> tp_shaded: array<vec4<f32>>;
-// Two vec4 a vertex: window x, y, z, 1/w; snapped x, y, clip code, nothing.
-@group(0) @binding(5) var<storage, read_write> tp_screen: array<vec4<u32>>;
-@group(0) @binding(6) var<storage, read_write> tp_triangles: array<u32>;
-@group(0) @binding(7) var<storage, read_write> tp_planes: array<vec4<f32>>;
+@group(0) @binding(5) var<storage, read_write> tp_triangles: array<u32>;
+@group(0) @binding(6) var<storage, read_write> tp_planes: array<vec4<f32>>;
 // Segments (TP_SEGMENT_WORDS each), sums of counts, the queue of primitives to clip.
-@group(0) @binding(8) var<storage, read_write> tp_front: array<u32>;
-@group(0) @binding(9) var<uniform> tf: TpFront;
+@group(0) @binding(7) var<storage, read_write> tp_front: array<u32>;
+@group(0) @binding(8) var<uniform> tf: TpFront;
 
 fn tp_zero() -> f32 {
     return tf.zero;

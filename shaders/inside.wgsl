@@ -26,9 +26,9 @@ fn tp_set_up(p: TpPrimitive, index: u32, count: vec4<u32>, place: vec4<u32>) {
         return;
     }
     let end = place.x + count.x;
-    let a = tp_corner(p.screen.x, p.shaded.x);
-    let b = tp_corner(p.screen.y, p.shaded.y);
-    let c = tp_corner(p.screen.z, p.shaded.z);
+    let a = tp_corner(p, 0u);
+    let b = tp_corner(p, 1u);
+    let c = tp_corner(p, 2u);
     // The last vertex provokes.
     tp_provoking = p.shaded.z;
 //#if POINTS_AND_LINES

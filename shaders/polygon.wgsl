@@ -50,7 +50,7 @@ fn tp_interpolate(p: TpPrimitive, a: u32, b: u32, t: f32) -> u32 {
 
 fn tp_clip_corner(p: TpPrimitive, corner: u32) -> TpCorner {
     if (corner < 3u) {
-        return tp_corner(p.screen[corner], p.shaded[corner]);
+        return tp_corner(p, corner);
     }
     let at = tp_vertex_at(p, corner);
     let place = tp_shaded[at + p.shaded_stride];

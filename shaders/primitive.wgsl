@@ -9,9 +9,9 @@ struct TpPrimitive {
     topology: u32,
     // Edge flags: bit 0 the edge from vertex 0 to 1, and so on.
     edges: u32,
-    // Shaded vertices (vec4) and screen vertices (pairs of vec4).
+    // Its vertices' first vec4 in tp_shaded, and what is there: their clip positions.
     shaded: vec3<u32>,
-    screen: vec3<u32>,
+    positions: array<vec4<f32>, 3>,
     // Clip codes, joined and common.
     code_or: u32,
     code_and: u32,
@@ -40,11 +40,21 @@ fn tp_primitive(index: u32) -> TpPrimitive {
         v = v.xyy;
     }
     p.shaded = tp_front_records[p.record + TP_DRAW_SHADED_BASE] + v * p.shaded_stride;
-    p.screen = tp_front_records[p.record + TP_DRAW_SCREEN_BASE] + v;
-    let codes = vec3<u32>(tp_screen[p.screen.x * 2u + 1u].z, tp_screen[p.screen.y * 2u + 1u].z, tp_screen[p.screen.z * 2u + 1u].z);
+    p.positions = array<vec4<f32>, 3>(tp_shaded[p.shaded.x], tp_shaded[p.shaded.y], tp_shaded[p.shaded.z]);
+    let codes = vec3<u32>(tp_code(p, 0u), tp_code(p, 1u), tp_code(p, 2u));
     p.code_or = codes.x | codes.y | codes.z;
     p.code_and = codes.x & codes.y & codes.z;
     return p;
+}
+
+// The clip code of a primitive's vertex.
+fn tp_code(p: TpPrimitive, vertex: u32) -> u32 {
+    return tp_clip_code(p.positions[vertex], p.shaded[vertex], p.record, p.flags);
+}
+
+// A primitive's vertex on the screen.
+fn tp_corner(p: TpPrimitive, vertex: u32) -> TpCorner {
+    return tp_on_screen(p.positions[vertex], p.shaded[vertex], p.state, p.flags);
 }
 
 // Twice the area with the sign that decides the face: -1, 0, 1. Positive is counter-clockwise in rows that run down.
@@ -96,9 +106,9 @@ fn tp_count(p: TpPrimitive) -> vec4<u32> {
         if (p.topology != TP_TRIANGLES) {
             return vec4<u32>(2u, p.plane_stride, 0u, 0u);
         }
-        let a = bitcast<vec2<i32>>(tp_screen[p.screen.x * 2u + 1u].xy);
-        let b = bitcast<vec2<i32>>(tp_screen[p.screen.y * 2u + 1u].xy);
-        let c = bitcast<vec2<i32>>(tp_screen[p.screen.z * 2u + 1u].xy);
+        let a = tp_corner(p, 0u).snapped;
+        let b = tp_corner(p, 1u).snapped;
+        let c = tp_corner(p, 2u).snapped;
         let x = vec3<i32>(a.x, b.x, c.x);
         let y = vec3<i32>(a.y, b.y, c.y);
         let area = tp_area_sign(x, y);

@@ -16,31 +16,30 @@
 @group(0) @binding(1) var<storage, read> tp_primitives: array<vec4<u32>>;
 @group(0) @binding(2) var<storage, read> tp_front_records: array<u32>;
 @group(0) @binding(3) var<storage, read_write> tp_shaded: array<vec4<f32>>;
-@group(0) @binding(4) var<storage, read_write> tp_screen: array<vec4<u32>>;
 //#endif
-@group(0) @binding(5) var<storage, read> tp_records: array<u32>;
-@group(0) @binding(6) var<storage, read_write> tp_color: array<u32>;
-@group(0) @binding(7) var<storage, read_write> tp_depth: array<u32>;
+@group(0) @binding(4) var<storage, read> tp_records: array<u32>;
+@group(0) @binding(5) var<storage, read_write> tp_color: array<u32>;
+@group(0) @binding(6) var<storage, read_write> tp_depth: array<u32>;
 //#if TEXEL_PAIRS
-@group(0) @binding(8) var tp_texels: texture_storage_2d<rg32uint, read>;
+@group(0) @binding(7) var tp_texels: texture_storage_2d<rg32uint, read>;
 //#else
-@group(0) @binding(8) var<storage, read> tp_texels: array<u32>;
+@group(0) @binding(7) var<storage, read> tp_texels: array<u32>;
 //#endif
 // A key a pixel, all ones between segments.
 //#if RESOLVE
 //#if SET_UP
-@group(0) @binding(9) var<storage, read_write> tp_keys: array<u64>;
+@group(0) @binding(8) var<storage, read_write> tp_keys: array<u64>;
 //#else
-@group(0) @binding(9) var<storage, read_write> tp_keys: array<vec2<u32>>;
+@group(0) @binding(8) var<storage, read_write> tp_keys: array<vec2<u32>>;
 //#endif
-@group(0) @binding(10) var<storage, read_write> tp_queue: array<u32>;
+@group(0) @binding(9) var<storage, read_write> tp_queue: array<u32>;
 //#else
-@group(0) @binding(9) var<storage, read_write> tp_keys: array<atomic<u64>>;
+@group(0) @binding(8) var<storage, read_write> tp_keys: array<atomic<u64>>;
 // Counters (zero between segments), then what they count: blocks of large triangles, primitives to clip, fans.
-@group(0) @binding(10) var<storage, read_write> tp_queue: array<atomic<u32>>;
+@group(0) @binding(9) var<storage, read_write> tp_queue: array<atomic<u32>>;
 //#endif
-@group(0) @binding(11) var<uniform> tp: TpParams;
-@group(0) @binding(12) var<uniform> tf: TpFront;
+@group(0) @binding(10) var<uniform> tp: TpParams;
+@group(0) @binding(11) var<uniform> tf: TpFront;
 
 // Counters: blocks, primitives to clip, vec4 of the pool, triangles of fans.
 const TP_BLOCKS = 0u;
@@ -57,7 +56,7 @@ fn tp_zero() -> f32 {
 // A corner by its reference: one of the primitive's own (0 to 2), or a vertex of the pool (3 and its vec4).
 fn tp_corner_at(p: TpPrimitive, reference: u32) -> TpCorner {
     if (reference < 3u) {
-        return tp_corner(p.screen[reference], p.shaded[reference]);
+        return tp_corner(p, reference);
     }
     let at = reference - 3u;
     let place = tp_shaded[at + p.shaded_stride];

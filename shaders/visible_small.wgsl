@@ -14,9 +14,9 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
     if (k < tf.primitive_count) {
         let p = tp_primitive(index);
         if (p.code_or == 0u) {
-            let a = tp_corner(p.screen.x, p.shaded.x);
-            let b = tp_corner(p.screen.y, p.shaded.y);
-            let c = tp_corner(p.screen.z, p.shaded.z);
+            let a = tp_corner(p, 0u);
+            let b = tp_corner(p, 1u);
+            let c = tp_corner(p, 2u);
             draws = tp_walk(p, index, 0u, a, b, c, &walk);
         } else if ((p.code_or & TP_CLIP_INVALID) == 0u && p.code_and == 0u) {
             let entry = atomicAdd(&tp_queue[TP_TO_CLIP], 1u);

@@ -19,9 +19,10 @@ impl Growing {
     /// At least `bytes` large.
     pub fn reserve(&mut self, device: &wgpu::Device, bytes: u64) {
         if self.buffer.size() < bytes {
-            // Twice as much as before, so that a growing scene does not replace the buffer each time; but no more than a binding may hold.
+            // A quarter more than before, so that a scene that grows does not replace the buffer each time; but no more than a binding may hold.
             let most = device.limits().max_storage_buffer_binding_size;
-            let size = bytes.max((self.buffer.size() * 2).min(most)).next_multiple_of(256);
+            let before = self.buffer.size();
+            let size = bytes.max((before + before / 4).min(most)).next_multiple_of(256);
             self.buffer = create(device, self.label, self.usage, size);
             self.generation += 1;
         }

@@ -15,7 +15,7 @@ use super::kernels::Kernels;
 use super::params::{FrontParams, Params, SEGMENT_WORDS, Status, fresh, indirect};
 use super::profile::{Profile, StageTime};
 use super::room::Room;
-use super::stage::{CLEAR_ROWS, Offers, Stage, VISIBLE_LANES, Visible, emit_lanes};
+use super::stage::{CLEAR_ROWS, LARGE_ITEMS, Offers, Stage, VISIBLE_LANES, Visible, emit_lanes};
 use super::stats;
 use super::surface::stats_level;
 use super::texture::Heap;
@@ -50,7 +50,6 @@ pub struct Buffers {
     primitives: Growing,
     front_records: Growing,
     shaded: Growing,
-    screen: Growing,
     records: Growing,
     triangles: Growing,
     planes: Growing,
@@ -85,7 +84,6 @@ impl Buffers {
             primitives: growing("primitives"),
             front_records: growing("front records"),
             shaded: growing("shaded"),
-            screen: growing("screen"),
             records: growing("records"),
             triangles: filled("triangles"),
             planes: filled("planes"),
@@ -226,7 +224,6 @@ impl Executor {
             &b.primitives,
             &b.front_records,
             &b.shaded,
-            &b.screen,
             &b.records,
             &b.triangles,
             &b.planes,
@@ -242,16 +239,16 @@ impl Executor {
         if self.bound.as_ref().is_some_and(|g| g.generation == generation) {
             return;
         }
-        let front = [&b.uniforms, &b.vertices, &b.primitives, &b.front_records, &b.shaded, &b.screen, &b.triangles, &b.planes, &b.front];
+        let front = [&b.uniforms, &b.vertices, &b.primitives, &b.front_records, &b.shaded, &b.triangles, &b.planes, &b.front];
         let sizes = [size_of::<Params>() as u64, size_of::<FrontParams>() as u64];
         let visible = b.keys.as_ref().map(|keys| {
             // What primitives are to the kernels of the front end, triangles are that the host has set up.
             let on_host = self.kernels.config.shape.host_front;
             let [first, second] = if on_host { [&b.triangles, &b.planes] } else { [&b.primitives, &b.front_records] };
-            let [uniforms, first, second, shaded, screen, records, queue] =
-                [&b.uniforms, first, second, &b.shaded, &b.screen, &b.records, &b.queue].map(|g| g.get());
-            let all = [uniforms, first, second, shaded, screen, records, &b.color, &b.depth, keys, queue];
-            self.group(&self.kernels.visible_layout, &with_texels(&all, 8, &self.heap), &sizes)
+            let [uniforms, first, second, shaded, records, queue] =
+                [&b.uniforms, first, second, &b.shaded, &b.records, &b.queue].map(|g| g.get());
+            let all = [uniforms, first, second, shaded, records, &b.color, &b.depth, keys, queue];
+            self.group(&self.kernels.visible_layout, &with_texels(&all, 7, &self.heap), &sizes)
         });
         self.bound = Some(Bound {
             generation,
@@ -344,7 +341,6 @@ impl Executor {
         b.primitives.upload(device, queue, cast_slice(&batch.primitives));
         b.front_records.upload(device, queue, cast_slice(&records.words));
         b.shaded.reserve(device, (batch.shaded_vec4 as u64 + pool) * 16);
-        b.screen.reserve(device, records.vertices as u64 * 32);
         b.triangles.reserve(device, triangles * size_of::<crate::raster::layout::Triangle>() as u64);
         b.planes.reserve(device, planes * 16);
         b.front.reserve(device, front_words * 4);
@@ -515,7 +511,7 @@ impl Executor {
     pub fn memory(&self) -> Vec<(&'static str, u64)> {
         let b = &self.buffers;
         let growing =
-            [&b.uniforms, &b.vertices, &b.primitives, &b.front_records, &b.records, &b.shaded, &b.screen, &b.triangles, &b.planes];
+            [&b.uniforms, &b.vertices, &b.primitives, &b.front_records, &b.records, &b.shaded, &b.triangles, &b.planes];
         let growing =
             growing.into_iter().chain([&b.front, &b.lists, &b.params, &b.indirect, &b.queue]).map(|g| (g.label(), g.get().size()));
         growing.chain(b.keys.as_ref().map(|keys| ("keys", keys.size()))).collect()
@@ -645,7 +641,7 @@ impl Dispatcher<'_> {
             self.direct(action.front.primitive_count.div_ceil(shape.list_lanes), "small");
             if action.front.item_capacity > 0 {
                 self.stage(stage(Visible::Large));
-                self.direct(action.front.item_capacity.div_ceil(VISIBLE_LANES / 32).min(LARGE_GROUPS), "large");
+                self.direct(action.front.item_capacity.div_ceil(LARGE_ITEMS).min(LARGE_GROUPS), "large");
             }
         } else {
             self.direct(action.front.primitive_count.div_ceil(VISIBLE_LANES), "small");

@@ -5,7 +5,7 @@ use bytemuck::{bytes_of, cast_slice};
 
 use super::adapter::Shape;
 use super::params::{FrontParams, Params};
-use super::records::{DRAW_RECORD_WORDS, SCREEN_BASE};
+use super::records::DRAW_RECORD_WORDS;
 use super::room::Room;
 use super::stage::{VERTEX_BLOCK, front, group_size, sums_of_a_group};
 use crate::draw::Batch;
@@ -19,21 +19,14 @@ pub struct FrontRecords {
     pub state_base: u32,
     /// For each vertex program: the first draw that runs it, the first word of its blocks, and their number.
     pub programs: Vec<(usize, u32, u32)>,
-    /// Vertices of all draws.
-    pub vertices: u32,
 }
 
 impl FrontRecords {
     /// Of a batch.
     pub fn new(batch: &Batch) -> FrontRecords {
         let mut words = Vec::with_capacity(batch.draws.len() * DRAW_RECORD_WORDS);
-        let mut vertices = 0;
         for draw in &batch.draws {
             words.extend_from_slice(cast_slice(bytes_of(&draw.record)));
-            words.resize(words.len().next_multiple_of(DRAW_RECORD_WORDS), 0);
-            let at = words.len() - DRAW_RECORD_WORDS + SCREEN_BASE;
-            words[at] = vertices;
-            vertices += draw.record.vertex_count;
         }
         let state_base = words.len() as u32;
         words.extend_from_slice(cast_slice(&batch.raster_states));
@@ -58,7 +51,7 @@ impl FrontRecords {
                 (draw, base, blocks.len() as u32)
             })
             .collect();
-        FrontRecords { words, state_base, programs, vertices }
+        FrontRecords { words, state_base, programs }
     }
 }
 

@@ -83,15 +83,15 @@ impl Kernels {
             entries.extend((storage..storage + uniforms).map(uniform_entry));
             device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
         };
-        // uniforms, vertices, primitives, records, shaded, screen, triangles, planes, front; then the parameters.
-        let front_layout = group("tepui front end", &[true, true, true, true, false, false, false, false, false], None, 1);
+        // uniforms, vertices, primitives, records, shaded, triangles, planes, front; then the parameters.
+        let front_layout = group("tepui front end", &[true, true, true, true, false, false, false, false], None, 1);
         // uniforms, records, triangles, planes, lists, colour, depth, texels, segments; then the parameters.
         let layout = group("tepui stages", &[true, true, true, true, false, false, false, true, true], Some(7), 1);
-        // uniforms, primitives, front records, shaded, screen, records, colour, depth, texels, keys, queue; then two of parameters.
-        let visible = [true, true, true, false, false, true, false, false, true, false, false];
+        // uniforms, primitives, front records, shaded, records, colour, depth, texels, keys, queue; then two of parameters.
+        let visible = [true, true, true, false, true, false, false, true, false, false];
         // A device that cannot take it never uses it.
         let visible_layout = match config.shape.keys64 {
-            true => group("tepui visible", &visible, Some(8), 2),
+            true => group("tepui visible", &visible, Some(7), 2),
             false => group("tepui visible", &visible[..1], None, 2),
         };
         let indirect_layout = group("tepui dispatches", &[false], None, 0);

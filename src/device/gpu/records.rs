@@ -5,10 +5,8 @@ use super::texture::BINDING_WORDS;
 use crate::draw::Batch;
 use crate::raster::layout::*;
 
-/// Words of a draw's record in the front end: a [`DrawRecord`] and what follows.
-pub const DRAW_RECORD_WORDS: usize = size_of::<DrawRecord>() / 4 + 4;
-/// The word behind the [`DrawRecord`]: the draw's first vertex on the screen.
-pub const SCREEN_BASE: usize = size_of::<DrawRecord>() / 4;
+/// Words of a draw's record in the front end: a [`DrawRecord`].
+pub const DRAW_RECORD_WORDS: usize = size_of::<DrawRecord>() / 4;
 
 /// Words of a draw's record in the fine stage.
 pub const DRAW_WORDS: usize = 32;

@@ -78,12 +78,12 @@ impl Room {
 
     /// Primitives of so many that may be clipped.
     pub fn clipped(&self, primitives: u32) -> u32 {
-        (primitives / 8).max(self.least.clipped).min(self.most.clipped)
+        (primitives / 32).max(self.least.clipped).min(self.most.clipped)
     }
 
     /// vec4 of the pool for so many primitives.
     pub fn pool(&self, primitives: u32) -> u32 {
-        (primitives / 2).max(self.least.pool).min(self.most.pool)
+        (primitives / 8).max(self.least.pool).min(self.most.pool)
     }
 
     /// Blocks of list entries for so many triangles.
@@ -93,7 +93,7 @@ impl Room {
 
     /// Blocks of large triangles of so many.
     pub fn items(&self, primitives: u32) -> u32 {
-        (primitives.min(1 << 20) + (1 << 14)).max(self.least.items).min(self.most.items)
+        ((primitives / 4).min(1 << 18) + (1 << 14)).max(self.least.items).min(self.most.items)
     }
 
     /// Makes room for what did not fit; cuts slices in half where the device has no more. False where that does not help any more.

@@ -62,6 +62,7 @@ pub mod files {
     pub const ARITHMETIC: File = File { name: "arithmetic.wgsl", text: include_str!("../../../shaders/arithmetic.wgsl") };
     pub const FRONT: File = File { name: "front.wgsl", text: include_str!("../../../shaders/front.wgsl") };
     pub const VERTEX: File = File { name: "vertex.wgsl", text: include_str!("../../../shaders/vertex.wgsl") };
+    pub const SCREEN: File = File { name: "screen.wgsl", text: include_str!("../../../shaders/screen.wgsl") };
     pub const PRIMITIVE: File = File { name: "primitive.wgsl", text: include_str!("../../../shaders/primitive.wgsl") };
     pub const CULL: File = File { name: "cull.wgsl", text: include_str!("../../../shaders/cull.wgsl") };
     pub const OFFSETS: File = File { name: "offsets.wgsl", text: include_str!("../../../shaders/offsets.wgsl") };
@@ -222,7 +223,6 @@ pub fn record_constants() -> String {
     let _ = writeln!(out, "const TP_TRIANGLE_WORDS = {}u;", size(size_of::<Triangle>()));
     let _ = writeln!(out, "const TP_DRAW_WORDS = {}u;", super::records::DRAW_WORDS);
     let _ = writeln!(out, "const TP_DRAW_RECORD_WORDS = {}u;", super::records::DRAW_RECORD_WORDS);
-    let _ = writeln!(out, "const TP_DRAW_SCREEN_BASE = {}u;", super::records::SCREEN_BASE);
     let _ = writeln!(out, "const TP_STATE_WORDS = {}u;", size(size_of::<RasterState>()));
     let _ = writeln!(out, "const TP_COORDINATE_MIN = {:?};", COORDINATE_RANGE[0]);
     let _ = writeln!(out, "const TP_COORDINATE_MAX = {:?};", COORDINATE_RANGE[1]);

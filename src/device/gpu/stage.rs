@@ -6,7 +6,7 @@ use super::adapter::Shape;
 use super::fine::color_flags;
 use super::source::{File, Options, expand, files};
 use crate::device::ColorFormat;
-use crate::program::{Output, Program};
+use crate::program::Program;
 
 /// Lanes that work together where a SIMD register holds eight: a set of them is a subgroup.
 const TEAM_LANES: u32 = 8;
@@ -16,6 +16,8 @@ const FRONT_LANES: u32 = 256;
 const RUN: u32 = 8;
 /// Lanes of the visible path's workgroups.
 pub const VISIBLE_LANES: u32 = 128;
+/// Blocks of large triangles that a workgroup of the visible path draws in a round: a lane sets each up.
+pub const LARGE_ITEMS: u32 = 32;
 /// Rows that a lane of the clear kernel clears.
 pub const CLEAR_ROWS: u32 = 8;
 /// Vertices of a block of the vertex stage.
@@ -108,15 +110,15 @@ impl Stage {
         let parts: &[File] = match self {
             Stage::Cull(f) => {
                 (features, lanes) = (f, team(FRONT_LANES));
-                &[files::PRIMITIVE, files::CULL]
+                &[files::SCREEN, files::PRIMITIVE, files::CULL]
             }
             Stage::Setup(f) => {
                 (features, lanes) = (f, team(FRONT_LANES));
-                &[files::PRIMITIVE, files::CORNER, files::POINT_LINE, files::SETUP, files::INSIDE]
+                &[files::SCREEN, files::PRIMITIVE, files::CORNER, files::POINT_LINE, files::SETUP, files::INSIDE]
             }
             Stage::Clip(f) => {
                 features = f;
-                &[files::PRIMITIVE, files::CORNER, files::POLYGON, files::POINT_LINE, files::SETUP, files::CLIP]
+                &[files::SCREEN, files::PRIMITIVE, files::CORNER, files::POLYGON, files::POINT_LINE, files::SETUP, files::CLIP]
             }
             Stage::Offsets => {
                 lanes = team(256);
@@ -154,10 +156,10 @@ impl Stage {
                 match which {
                     Visible::Small if shape.host_front => &[files::KEYS, files::VISIBLE_SET_UP],
                     Visible::Large if shape.host_front => &[files::KEYS, files::VISIBLE_LARGE],
-                    Visible::Small => &[files::PRIMITIVE, files::CORNER, files::KEYS, files::VISIBLE_SMALL],
-                    Visible::Clip => &[files::PRIMITIVE, files::CORNER, files::POLYGON, files::KEYS, files::VISIBLE_CLIP],
-                    Visible::Large => &[files::PRIMITIVE, files::CORNER, files::KEYS, files::VISIBLE_LARGE],
-                    Visible::End => &[files::PRIMITIVE, files::CORNER, files::VISIBLE_END],
+                    Visible::Small => &[files::SCREEN, files::PRIMITIVE, files::CORNER, files::KEYS, files::VISIBLE_SMALL],
+                    Visible::Clip => &[files::SCREEN, files::PRIMITIVE, files::CORNER, files::POLYGON, files::KEYS, files::VISIBLE_CLIP],
+                    Visible::Large => &[files::SCREEN, files::PRIMITIVE, files::CORNER, files::KEYS, files::VISIBLE_LARGE],
+                    Visible::End => &[files::SCREEN, files::PRIMITIVE, files::CORNER, files::VISIBLE_END],
                 }
             }
             Stage::Active => {
@@ -185,7 +187,7 @@ impl Stage {
         options.flag("TRIANGLE_PAIRS", triangles && shape.subgroup8 || set_up);
         let _ = writeln!(
             extra,
-            "{}const TP_RUN = {RUN}u;\nconst TP_TEAMS = {}u;\nconst TP_FEW_TRIANGLES = {}u;\nconst TP_SUMS = {}u;\nconst TP_EMIT_LANES = {}u;",
+            "{}const TP_RUN = {RUN}u;\nconst TP_ITEMS = {LARGE_ITEMS}u;\nconst TP_TEAMS = {}u;\nconst TP_FEW_TRIANGLES = {}u;\nconst TP_SUMS = {}u;\nconst TP_EMIT_LANES = {}u;",
             round_constant(shape),
             shape.teams(),
             shape.few_triangles(),
@@ -248,12 +250,8 @@ pub fn vertex_source(shape: Shape, program: &Program, constants: &str) -> String
         let _ = writeln!(fetch, "in.a{slot} = tp_attribute(record, {slot}u, vertex);");
     }
     let mut store = String::new();
-    for (k, output) in program.outputs.iter().enumerate() {
+    for k in 0..program.outputs.len() {
         let _ = writeln!(store, "tp_shaded[at + {}u] = out.o{k};", k + 1);
-        if let Output::ClipDistance(group) = output {
-            let _ =
-                writeln!(store, "user |= tp_user_code(out.o{k}, {}u, tp_front_records[record + TP_DRAW_CLIP_DISTANCE_COUNT]);", group * 4);
-        }
     }
     options.inserts.insert("FETCH", fetch);
     options.inserts.insert("STORE", store);

@@ -152,7 +152,7 @@ pub fn resolve_source(key: &FineKey, shape: Shape, program: &Program, constants:
     options.flag("RESOLVE", true);
     options.flag("LEQUAL", is_lequal(key));
     let mut source = format!("const TP_LANES = {RESOLVE_LANES}u;\n{extra}{constants}");
-    let primitives: &[_] = if shape.host_front { &[] } else { &[files::PRIMITIVE, files::CORNER] };
+    let primitives: &[_] = if shape.host_front { &[] } else { &[files::SCREEN, files::PRIMITIVE, files::CORNER] };
     for file in [files::COMMON, files::FRONT, files::VISIBLE, files::ARITHMETIC].iter().chain(primitives) {
         expand(*file, &options, &mut source);
     }
