@@ -4,19 +4,18 @@
 fn tp_clip_line(p: TpPrimitive, index: u32) {
     var t = vec2<f32>(0.0);
     var valid = true;
-    for (var plane = 0u; plane < 14u; plane++) {
-        if (((p.code_or >> plane) & 1u) != 0u) {
-            let d0 = tp_distance(p, 0u, plane);
-            let d1 = tp_distance(p, 1u, plane);
-            valid = valid && tp_finite(d0) && tp_finite(d1);
-            if (d1 < 0.0) {
-                t.y = max(t.y, tp_divide(d1, d1 - d0));
-            }
-            if (d0 < 0.0) {
-                t.x = max(t.x, tp_divide(d0, d0 - d1));
-            }
-            valid = valid && t.x + t.y < 1.0;
+    for (var planes = p.code_or; planes != 0u; planes &= planes - 1u) {
+        let plane = firstTrailingBit(planes);
+        let d0 = tp_distance(p, 0u, plane);
+        let d1 = tp_distance(p, 1u, plane);
+        valid = valid && tp_finite(d0) && tp_finite(d1);
+        if (d1 < 0.0) {
+            t.y = max(t.y, tp_divide(d1, d1 - d0));
         }
+        if (d0 < 0.0) {
+            t.x = max(t.x, tp_divide(d0, d0 - d1));
+        }
+        valid = valid && t.x + t.y < 1.0;
     }
     if (!valid) {
         return;
@@ -41,7 +40,7 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
     }
     let at = tf.queue_base + 4u + entry * 4u;
     let index = tp_front[at];
-    let p = tp_primitive(index);
+    let p = tp_coded_primitive(index);
     tp_next_triangle = tp_front[at + 1u];
     tp_next_planes = tp_front[at + 2u];
     tp_pool = tp_front[at + 3u];

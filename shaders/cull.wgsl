@@ -20,7 +20,7 @@ fn tp_main(@builtin(workgroup_id) workgroup: vec3<u32>, @builtin(local_invocatio
     var k = lane * TP_RUN;
     loop {
         if (k < count) {
-            sum += tp_count(tp_primitive(first + k));
+            sum += tp_count(tp_coded_primitive(first + k));
         }
         continuing {
             k++;
@@ -30,7 +30,7 @@ fn tp_main(@builtin(workgroup_id) workgroup: vec3<u32>, @builtin(local_invocatio
     let at = tf.sums_base + (group * TP_LANES + lane) * 4u;
 //#else
     if (lane < count) {
-        sum = tp_count(tp_primitive(first + lane));
+        sum = tp_count(tp_coded_primitive(first + lane));
     }
     tp_sums[lane] = sum;
     for (var half = TP_LANES / 2u; half > 0u; half /= 2u) {

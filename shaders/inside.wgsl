@@ -64,7 +64,7 @@ fn tp_main(@builtin(workgroup_id) workgroup: vec3<u32>, @builtin(local_invocatio
     var k = lane * TP_RUN;
     loop {
         if (k < count) {
-            let p = tp_primitive(first + k);
+            let p = tp_coded_primitive(first + k);
             let wants = tp_count(p);
             tp_set_up(p, first + k, wants, place);
             place += wants;
@@ -78,7 +78,7 @@ fn tp_main(@builtin(workgroup_id) workgroup: vec3<u32>, @builtin(local_invocatio
     var p: TpPrimitive;
     var wants = vec4<u32>(0u);
     if (lane < count) {
-        p = tp_primitive(first + lane);
+        p = tp_coded_primitive(first + lane);
         wants = tp_count(p);
     }
     var sum = wants;

@@ -111,11 +111,16 @@ fn tp_edge_biases(dx: vec3<i32>, dy: vec3<i32>) -> vec3<i32> {
     return vec3<i32>(vec3<u32>(tp_edge_bias(dx.x, dy.x), tp_edge_bias(dx.y, dy.y), tp_edge_bias(dx.z, dy.z)));
 }
 
-// Blocks of 64 x 64 pixels that a triangle is to be queued in; 0: a lane draws it by itself.
+// Blocks of 64 x 64 pixels that a triangle's rectangle is cut into.
+fn tp_blocks(walk: ptr<function, TpWalk>) -> vec2<u32> {
+    return vec2<u32>(((*walk).high - (*walk).low + 64) >> vec2<u32>(6u));
+}
+
+// Those that a triangle is to be queued in; 0: a lane draws it by itself.
 fn tp_blocks_of(walk: ptr<function, TpWalk>) -> vec2<u32> {
     let extent = (*walk).high - (*walk).low + 1;
     let small = extent.x <= TP_SMALL_SIDE && extent.y <= TP_SMALL_SIDE && extent.x * extent.y <= TP_SMALL;
-    return select(vec2<u32>((extent + 63) >> vec2<u32>(6u)), vec2<u32>(0u), small);
+    return select(tp_blocks(walk), vec2<u32>(0u), small);
 }
 
 //#if SET_UP

@@ -64,10 +64,8 @@ fn tp_clip_polygon(p: TpPrimitive) -> TpPolygon {
     polygon.corners[1] = 1u;
     polygon.corners[2] = 2u;
     polygon.edges = p.edges;
-    for (var plane = 0u; plane < 14u; plane++) {
-        if (((p.code_or >> plane) & 1u) == 0u) {
-            continue;
-        }
+    for (var planes = p.code_or; planes != 0u; planes &= planes - 1u) {
+        let plane = firstTrailingBit(planes);
         var next: TpPolygon;
         var previous = polygon.corners[0];
         var previous_edge = polygon.edges & 1u;

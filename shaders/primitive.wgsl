@@ -12,7 +12,7 @@ struct TpPrimitive {
     // Its vertices' first vec4 in tp_shaded, and what is there: their clip positions.
     shaded: vec3<u32>,
     positions: array<vec4<f32>, 3>,
-    // Clip codes, joined and common.
+    // Clip codes, joined and common, where they are asked for.
     code_or: u32,
     code_and: u32,
     // vec4 of a triangle's planes, of a shaded vertex.
@@ -41,9 +41,18 @@ fn tp_primitive(index: u32) -> TpPrimitive {
     }
     p.shaded = tp_front_records[p.record + TP_DRAW_SHADED_BASE] + v * p.shaded_stride;
     p.positions = array<vec4<f32>, 3>(tp_shaded[p.shaded.x], tp_shaded[p.shaded.y], tp_shaded[p.shaded.z]);
-    let codes = vec3<u32>(tp_code(p, 0u), tp_code(p, 1u), tp_code(p, 2u));
-    p.code_or = codes.x | codes.y | codes.z;
-    p.code_and = codes.x & codes.y & codes.z;
+    return p;
+}
+
+// The same with its clip codes.
+fn tp_coded_primitive(index: u32) -> TpPrimitive {
+    var p = tp_primitive(index);
+    let inside = tp_is_inside(p.positions[0]) && tp_is_inside(p.positions[1]) && tp_is_inside(p.positions[2]);
+    if (!inside || tp_front_records[p.record + TP_DRAW_CLIP_DISTANCE_COUNT] > 0u) {
+        let codes = vec3<u32>(tp_code(p, 0u), tp_code(p, 1u), tp_code(p, 2u));
+        p.code_or = codes.x | codes.y | codes.z;
+        p.code_and = codes.x & codes.y & codes.z;
+    }
     return p;
 }
 

@@ -31,6 +31,11 @@ fn tp_user_code(distances: vec4<f32>, first: u32, count: u32) -> u32 {
     return code;
 }
 
+// Inside the frustum, and far from what overflows: without a clip code, unless the user's planes give it one.
+fn tp_is_inside(p: vec4<f32>) -> bool {
+    return abs(p.x) <= p.w && abs(p.y) <= p.w && abs(p.z) <= p.w && p.w > 0.0 && p.w < 1e37;
+}
+
 // The clip code of the vertex at `at` of tp_shaded, whose clip position is p: the frustum's planes and the user's that it lies behind.
 fn tp_clip_code(p: vec4<f32>, at: u32, record: u32, flags: u32) -> u32 {
     var code = 0u;

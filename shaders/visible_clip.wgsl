@@ -1,11 +1,12 @@
-// A lane a queued primitive, in as many rounds as it takes: cuts it, keeps the fan that is left for later, and draws it.
+// A lane a queued primitive, in as many rounds as it takes: cuts it, keeps the fan that is left, and queues its triangles as large ones:
+// one lane after the other has enough to do.
 
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     let count = min(atomicLoad(&tp_queue[TP_TO_CLIP]), tf.queue_capacity);
     for (var entry = id.x; entry < count; entry += groups.x * TP_LANES) {
         let index = atomicLoad(&tp_queue[tf.queue_base + entry]);
-        let p = tp_primitive(index);
+        let p = tp_coded_primitive(index);
         // Each plane makes at most two vertices.
         let wanted = 2u * countOneBits(p.code_or) * (p.shaded_stride + 1u);
         let pool = atomicAdd(&tp_queue[TP_POOLED], wanted);
@@ -35,12 +36,8 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
             atomicStore(&tp_queue[at + 2u], centre);
             var walk: TpWalk;
             if (tp_walk(p, index, i + 1u, tp_corner_at(p, a), tp_corner_at(p, b), tp_corner_at(p, centre), &walk)) {
-                let blocks = tp_blocks_of(&walk);
-                if (blocks.x > 0u) {
-                    tp_queue_blocks(atomicAdd(&tp_queue[TP_BLOCKS], blocks.x * blocks.y), blocks, index, i + 1u);
-                } else {
-                    tp_offer_samples(&walk);
-                }
+                let blocks = tp_blocks(&walk);
+                tp_queue_blocks(atomicAdd(&tp_queue[TP_BLOCKS], blocks.x * blocks.y), blocks, index, i + 1u);
             }
         }
     }

@@ -12,7 +12,7 @@ fn tp_main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups
     var blocks = vec2<u32>(0u);
     var draws = false;
     if (k < tf.primitive_count) {
-        let p = tp_primitive(index);
+        let p = tp_coded_primitive(index);
         if (p.code_or == 0u) {
             let a = tp_corner(p, 0u);
             let b = tp_corner(p, 1u);

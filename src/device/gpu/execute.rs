@@ -510,8 +510,7 @@ impl Executor {
     /// Bytes of the buffers that grow with a batch, by name.
     pub fn memory(&self) -> Vec<(&'static str, u64)> {
         let b = &self.buffers;
-        let growing =
-            [&b.uniforms, &b.vertices, &b.primitives, &b.front_records, &b.records, &b.shaded, &b.triangles, &b.planes];
+        let growing = [&b.uniforms, &b.vertices, &b.primitives, &b.front_records, &b.records, &b.shaded, &b.triangles, &b.planes];
         let growing =
             growing.into_iter().chain([&b.front, &b.lists, &b.params, &b.indirect, &b.queue]).map(|g| (g.label(), g.get().size()));
         growing.chain(b.keys.as_ref().map(|keys| ("keys", keys.size()))).collect()

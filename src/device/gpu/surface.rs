@@ -117,9 +117,25 @@ impl GpuSurface {
         true
     }
 
+    /// The same for a batch, whose clears of depth write the stencil that is there, where it is known.
+    fn bind_for(&mut self, batch: &mut Batch) -> bool {
+        let depth = self.target.depth.clone().filter(|_| self.target.format.stencil);
+        // Binding forgets it.
+        let known = depth.as_ref().and_then(|plane| plane::lock(plane).uniform_stencil());
+        if !self.bind() {
+            return false;
+        }
+        let after = complete_stencil(batch, known, self.target.size);
+        if let Some(plane) = &depth {
+            plane::lock(plane).set_uniform_stencil(after);
+        }
+        true
+    }
+
     /// Draws a batch again and again and measures it: see [`Executor::timed`].
     pub fn timed(&mut self, batch: &Batch, frames: usize, stages: bool) -> Vec<Vec<StageTime>> {
-        if self.bind() { self.executor.timed(batch, frames, stages) } else { Vec::new() }
+        let mut batch = batch.clone();
+        if self.bind_for(&mut batch) { self.executor.timed(&batch, frames, stages) } else { Vec::new() }
     }
 
     /// Bytes of the buffers that grow with a batch, by name.
@@ -142,14 +158,8 @@ impl Surface for GpuSurface {
     fn execute(&mut self, mut batch: Batch) {
         // What is left of the last batch comes before changes from the host.
         self.executor.settle();
-        let depth = self.target.depth.clone().filter(|_| self.target.format.stencil);
-        let stencil = depth.as_ref().and_then(|plane| plane::lock(plane).uniform_stencil());
-        if self.bind() {
-            let stencil = complete_stencil(&mut batch, stencil, self.target.size);
+        if self.bind_for(&mut batch) {
             self.executor.execute(batch);
-            if let Some(plane) = &depth {
-                plane::lock(plane).set_uniform_stencil(stencil);
-            }
         }
     }
 
