@@ -121,7 +121,7 @@ impl SurfaceFormat {
 pub trait Surface: Send {
     /// Where it draws.
     fn target(&self) -> &Target;
-    /// Draws into other planes of the same device from now on.
+    /// Draws into other planes, of the same kind, from now on: see [`Device::retarget`].
     fn retarget(&mut self, target: Target);
     /// Runs a batch. May return before it is finished.
     fn execute(&mut self, batch: Batch);
@@ -180,6 +180,10 @@ pub trait Device: Send + Sync {
     }
     /// What draws into planes of this device.
     fn surface_on(&self, target: Target) -> Box<dyn Surface>;
+    /// Makes a surface of this device draw into other planes of it.
+    fn retarget(&self, surface: &mut Box<dyn Surface>, target: Target) {
+        surface.retarget(target);
+    }
     /// Planes of zeros for a surface.
     fn target(&self, width: u32, height: u32, format: SurfaceFormat) -> Target {
         let size = [width, height];

@@ -148,7 +148,7 @@ impl Bench {
         let batch = &with_samples(batch, samples);
         match self {
             Bench::Gpu(gpu, _) => {
-                let mut surface = gpu.gpu_surface(size[0], size[1], format);
+                let mut surface = gpu.gpu_surface(size[0], size[1], format)?;
                 let whole = surface.timed(batch, frames, false);
                 let ms = frame_times(&whole)?;
                 let stages = medians(&surface.timed(batch, frames.clamp(1, 5), true));
@@ -177,7 +177,7 @@ impl Bench {
             Bench::Gpu(gpu, _) => {
                 // Each batch is measured on its own: between two batches of a frame the device does nothing that a time stamp sees.
                 let mut sum = [0.0; 3];
-                let mut surface = gpu.gpu_surface(size[0], size[1], format);
+                let mut surface = gpu.gpu_surface(size[0], size[1], format)?;
                 for batch in batches {
                     let ms = frame_times(&surface.timed(batch, frames, false))?;
                     (0..3).for_each(|k| sum[k] += ms[k]);

@@ -67,6 +67,8 @@ pub struct Config {
     pub shape: Shape,
     /// Most bytes of a buffer that grows with a batch.
     pub buffer_limit: u64,
+    /// Most bytes of a plane of the widest format: larger surfaces are the CPU executor's.
+    pub plane_limit: u64,
     /// Triangles from which on a segment is drawn by keys, where its state and the device allow it.
     pub visible_from: u32,
     /// Most pixels of the rectangles of such triangles, on average, where the host has set them up and knows.
@@ -179,10 +181,12 @@ fn open() -> Result<Gpu, String> {
         _ => {}
     }
     let limit = std::env::var("TEPUI_GPU_BUFFER_LIMIT").ok().and_then(|v| v.parse().ok()).unwrap_or(BUFFER_LIMIT);
-    let buffer_limit = limit.min(device.limits().max_storage_buffer_binding_size);
+    let plane_limit = device.limits().max_storage_buffer_binding_size;
+    let buffer_limit = limit.min(plane_limit);
     let config = Config {
         shape,
         buffer_limit,
+        plane_limit,
         visible_from: visible::WORTH_IT,
         visible_pixels: visible::WORTH_IT_PIXELS,
         visible_area: visible::WORTH_IT_AREA,

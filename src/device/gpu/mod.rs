@@ -24,18 +24,23 @@ mod tests;
 mod texture;
 mod visible;
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
+use super::cpu::CpuDevice;
 use super::{Device, PlaneFormat, SharedPlane, Surface, SurfaceFormat, Target};
 pub use adapter::{Config, Shape};
 use kernels::Kernels;
 pub use profile::StageTime;
 pub use surface::{GpuPlane, GpuSurface};
 
-/// A Vulkan device that runs the kernels.
+/// Bytes of a pixel of the widest format; the keys of the visible path take half of them.
+const WIDEST_PIXEL: u64 = 16;
+
+/// A Vulkan device that runs the kernels. Surfaces that are too large for its bindings are drawn by the CPU executor.
 pub struct GpuDevice {
     gpu: &'static adapter::Gpu,
     kernels: Arc<Kernels>,
+    cpu: OnceLock<CpuDevice>,
 }
 
 /// Whether the machine has a real GPU that Vulkan reaches. Next to free where it has none.
@@ -54,12 +59,29 @@ impl GpuDevice {
         let gpu = adapter::gpu()?;
         let mut config = gpu.config;
         change(&mut config);
-        Ok(GpuDevice { gpu, kernels: Arc::new(Kernels::new(gpu, config)) })
+        Ok(GpuDevice { gpu, kernels: Arc::new(Kernels::new(gpu, config)), cpu: OnceLock::new() })
     }
 
-    /// A surface with the GPU's own methods.
-    pub fn gpu_surface(&self, width: u32, height: u32, format: SurfaceFormat) -> GpuSurface {
-        GpuSurface::new(self.gpu, self.kernels.clone(), self.target(width, height, format))
+    /// A surface with the GPU's own methods; an error where it is too large for the GPU.
+    pub fn gpu_surface(&self, width: u32, height: u32, format: SurfaceFormat) -> Result<GpuSurface, String> {
+        if !self.holds([width, height], format.samples) {
+            return Err(format!("{width} x {height} pixels of {} samples are too many for {}", format.samples, self.gpu.info.name));
+        }
+        Ok(GpuSurface::new(self.gpu, self.kernels.clone(), self.target(width, height, format)))
+    }
+
+    /// Whether planes of a size fit the GPU's bindings. The same for all formats, so that the planes of a target are of one kind.
+    fn holds(&self, size: [u32; 2], samples: u32) -> bool {
+        let pixels = size[0] as u64 * size[1] as u64;
+        pixels.saturating_mul(samples as u64 * WIDEST_PIXEL) <= self.kernels.config.plane_limit
+    }
+
+    /// What draws what the GPU does not hold.
+    fn cpu(&self) -> &CpuDevice {
+        self.cpu.get_or_init(|| {
+            log::warn!(target: "tepui::gpu", "a surface is too large for {}; it is drawn by the CPU", self.gpu.info.name);
+            CpuDevice::new()
+        })
     }
 }
 
@@ -69,10 +91,22 @@ impl Device for GpuDevice {
     }
 
     fn plane(&self, size: [u32; 2], samples: u32, format: PlaneFormat) -> SharedPlane {
-        GpuPlane::plane(self.gpu, size, samples, format)
+        if self.holds(size, samples) { GpuPlane::plane(self.gpu, size, samples, format) } else { self.cpu().plane(size, samples, format) }
     }
 
     fn surface_on(&self, target: Target) -> Box<dyn Surface> {
+        if !self.holds(target.size, target.format.samples) {
+            return self.cpu().surface_on(target);
+        }
         Box::new(GpuSurface::new(self.gpu, self.kernels.clone(), target))
+    }
+
+    fn retarget(&self, surface: &mut Box<dyn Surface>, target: Target) {
+        let [before, after] = [surface.target(), &target].map(|t| self.holds(t.size, t.format.samples));
+        if before == after {
+            return surface.retarget(target);
+        }
+        surface.settle();
+        *surface = self.surface_on(target);
     }
 }

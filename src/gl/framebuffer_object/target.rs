@@ -100,7 +100,7 @@ impl View {
         let surface = match &mut self.surface {
             Some(surface) => {
                 if !same_planes(surface.target(), &target) {
-                    surface.retarget(target);
+                    device.retarget(surface, target);
                 }
                 surface
             }

@@ -1,6 +1,11 @@
 //! Where pixels go.
 
+use std::sync::Arc;
+
 use super::*;
+use crate::device::Device;
+use crate::device::cpu::CpuDevice;
+use crate::device::gpu::GpuDevice;
 
 /// A rectangle in normalised coordinates.
 fn rectangle(cx: &mut Context, [x0, y0, x1, y1]: [f32; 4], [r, g, b, a]: [f32; 4]) {
@@ -387,4 +392,52 @@ fn depth_with_stencil_is_read_and_drawn_as_one() {
     assert_eq!(read(&mut cx, 1, &mut out), 0x1234_5678);
     assert_eq!(error_of(&mut cx, |c| c.read_pixels(0, 0, 1, 1, GL_DEPTH_STENCIL, GL_FLOAT, None)), GL_INVALID_ENUM);
     assert_eq!(error_of(&mut cx, |c| c.read_pixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_INT_24_8, None)), GL_INVALID_OPERATION);
+}
+
+#[test]
+fn images_too_large_for_the_gpu_are_drawn_by_the_cpu() {
+    // Room for 64 x 64 pixels, or for 32 x 32 of four samples.
+    let Ok(gpu) = GpuDevice::with(|config| config.plane_limit = 64 * 64 * 16) else { return };
+    let devices: [Arc<dyn Device>; 2] = [Arc::new(CpuDevice::new()), Arc::new(gpu)];
+    let [cpu, gpu] = devices.map(|device| {
+        let mut cx = context();
+        cx.device = device;
+        let [resolved, drawn] = [framebuffer(&mut cx), framebuffer(&mut cx)];
+        let sizes = [[64, 64], [65, 64], [32, 32], [100, 3]];
+        let mut pictures = Vec::new();
+        // From one kind to the other and back, and each again.
+        for (k, &[w, h]) in sizes.iter().chain(&sizes).enumerate() {
+            for samples in [0, 4] {
+                attach(&mut cx, COLOR0, samples, GL_RGBA8, w, h);
+                let depth = renderbuffer(&mut cx, samples, GL_DEPTH24_STENCIL8, w, h);
+                cx.framebuffer_renderbuffer(FB, GL_DEPTH_STENCIL_ATTACHMENT, RB, depth);
+                cx.viewport(0, 0, w, h);
+                cx.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+                cx.enable(GL_DEPTH_TEST);
+                cx.color(0.1 * k as f32, 1.0, 0.5, 1.0);
+                cx.begin(GL_TRIANGLES);
+                for [x, y, z] in [[-0.9, -0.8, 0.3], [0.7, -0.2, -0.5], [-0.1, 0.9, 0.9]] {
+                    cx.vertex(x, y, z, 1.0);
+                }
+                cx.end();
+                rectangle(&mut cx, [-0.5, -0.5, 0.9, 0.2], RED);
+                if samples == 0 {
+                    pictures.push(pixels(&mut cx, w, h));
+                    continue;
+                }
+                // Resolved into an image of one sample, which may be of the other kind.
+                cx.bind_framebuffer(FB, resolved);
+                attach(&mut cx, COLOR0, 0, GL_RGBA8, w, h);
+                cx.bind_framebuffer(GL_READ_FRAMEBUFFER, drawn);
+                cx.blit_framebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+                cx.bind_framebuffer(FB, resolved);
+                pictures.push(pixels(&mut cx, w, h));
+                cx.bind_framebuffer(FB, drawn);
+            }
+        }
+        assert_eq!(cx.get_error(), GL_NO_ERROR);
+        pictures
+    });
+    assert!(cpu.iter().all(|picture| picture.iter().any(|p| *p != O)));
+    assert_eq!(cpu, gpu);
 }
