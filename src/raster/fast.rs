@@ -5,7 +5,7 @@
 use super::fine::row8;
 use super::layout::*;
 use super::plan::Plan;
-use super::simd::Simd;
+use super::simd::{Simd, columns_from};
 use super::store::BinPixels;
 use super::tile::{FULL, TileRows};
 use super::{blend, depth_stencil};
@@ -151,7 +151,7 @@ pub fn tile<S: Simd, const MODE: u32>(plan: &Plan, t: &Triangle, planes: &[[f32;
     let base = (DEPTH_PLANE_VEC4 + k as u32 * VARYING_PLANE_VEC4) as usize;
     let p: &[[f32; 4]; 3] = planes[base..base + 3].try_into().expect("three");
     let (head, tail) = (planes[0], planes[1]);
-    let x = S::add(S::f(place[0] as f32), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
+    let x = columns_from::<S>(place[0] as f32);
     let depth = DepthRow::<S>::new(planes, x);
     let wx = S::fma(x, S::f(tail[0]), S::f(head[3]));
     let perspective = plan.modes[k] == interpolation::PERSPECTIVE && t.flags & triangle_flags::PERSPECTIVE != 0;

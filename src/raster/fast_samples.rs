@@ -2,14 +2,15 @@
 //! values as the general routine of [`super::samples`].
 
 use super::fast::{self, BLEND, DEPTH};
-use super::fine::{Extent, Scene, Worker, row8};
-use super::hi_z::{HiZ, Nearest, Under};
+use super::fine::{Scene, Worker, row8};
+use super::hi_z::{HiZ, Under};
 use super::layout::*;
 use super::plan::Plan;
-use super::simd::{Simd, eight};
+use super::simd::{Simd, columns_from, eight};
 use super::small::{self, Covered, gather, scatter};
 use super::store::{BIN_PIXELS, BinPixels};
 use super::tile::{FULL, LocalEdges};
+use super::walk::Walk;
 use super::{blend, depth_stencil};
 use crate::device::samples::positions;
 
@@ -52,30 +53,16 @@ pub fn draw<S: Simd, const N: usize>(
     let [ox, oy] = bin.origin;
     let centre = LocalEdges::<S>::new(t, ox, oy);
     let all = centre.of_all_samples();
-    let mut offsets = [[0; 8]; N];
-    for (offsets, &place) in offsets.iter_mut().zip(brush.places) {
-        S::store_u(centre.offset(place), offsets);
-    }
-    let extent = Extent::new(plan, t, bin);
-    let near = Nearest::<S>::new(plan, t, planes, bin.origin);
-    for ty in extent.tiles(extent.rows) {
-        let (first, last) = extent.rows_of(ty);
-        let mut tiles = extent.tile_columns();
-        if plan.hi_z {
-            tiles = worker.hi_z.visible::<S>(plan, planes, &near, tiles, ty, bin);
-        }
-        while tiles != 0 {
-            let tx = tiles.trailing_zeros() as i32;
-            tiles &= tiles - 1;
-            let Some(edges) = all.rows(tx * 8, ty * 8, first) else { continue };
-            let allowed = extent.allowed(scene, plan, t, tx, ty);
-            let full = edges.full && allowed == FULL;
-            let at = (ty * 8 + tx) as usize;
-            let tile = fast::Tile { at: at * 64, place: [ox + tx * 8, oy + ty * 8], edges, rows: [first, last], allowed };
-            if let Some(rows) = brush.tile::<S>(tile, &offsets, bin) {
-                worker.tiles[!full as usize] += 1;
-                worker.hi_z.wrote(at, rows * TILE_SIZE);
-            }
+    let offsets = centre.offsets(brush.places);
+    let mut walk = Walk::<S>::new(plan, t, planes, bin, plan.hi_z);
+    while let Some(spot) = walk.next(plan, planes, &mut worker.hi_z, bin) {
+        let Some(edges) = all.rows(spot.offset(), spot.rows[0]) else { continue };
+        let allowed = walk.allowed(scene, plan, t, spot);
+        let full = edges.full && allowed == FULL;
+        let tile = fast::Tile { at: spot.pixel(), place: spot.place(bin), edges, rows: spot.rows, allowed };
+        if let Some(rows) = brush.tile::<S>(tile, &offsets, bin) {
+            worker.tiles[!full as usize] += 1;
+            worker.hi_z.wrote(spot.index(), rows * TILE_SIZE);
         }
     }
 }
@@ -127,7 +114,7 @@ impl<const N: usize> Brush<'_, N> {
         let fast::Tile { at, place, mut edges, rows: [first, last], allowed } = tile;
         let plan = self.plan;
         let &[head, tail] = self.planes.first_chunk().expect("planes of depth");
-        let x = S::add(S::f(place[0] as f32 + plan.centre), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
+        let x = columns_from::<S>(place[0] as f32 + plan.centre);
         let mut across = [S::f(0.0); N];
         for (across, &[dx, _]) in across.iter_mut().zip(self.places) {
             *across = S::fma(S::add(x, S::f(dx as f32 / 16.0)), S::f(head[1]), S::f(head[0]));

@@ -4,16 +4,17 @@
 //! Fragments of programs wait in a queue, packed lane by lane, so that one run of the lane executor serves many small
 //! triangles; a queue is written out in the order in which it was filled, and before anything else is drawn.
 
-use super::hi_z::{HiZ, Nearest};
+use super::hi_z::HiZ;
 use super::interpolate::Interpolator;
 use super::layout::*;
 use super::modulate::{Colors, Fragments, Source};
 use super::plan::Plan;
 use super::records::{self, Records, TRIANGLE_VEC4};
-use super::simd::{Simd, eight, prefetch};
+use super::simd::{Simd, columns_from, eight, prefetch};
 use super::store::BinPixels;
 use super::texture::Prepared;
-use super::tile::{FULL, LocalEdges, rectangle_mask};
+use super::tile::{FULL, LocalEdges};
+use super::walk::Walk;
 use super::write::{Color, write};
 use super::{blend, clear, depth_stencil, fast, modulate, samples, small, textured};
 use crate::device::SurfaceFormat;
@@ -69,10 +70,8 @@ pub struct Row {
     pub perspective: bool,
     /// Words of depth; of samples it is worked out when it is wanted.
     pub z: [u32; 8],
-    /// Pixels of which each sample is covered, on a surface with samples, and whether these have depths of their own.
+    /// Pixels of which each sample is covered, on a surface with samples.
     pub samples: [u8; MAX_SAMPLES as usize],
-    /// See `samples`.
-    pub several: bool,
 }
 
 impl<'a> Scene<'a> {
@@ -218,68 +217,6 @@ fn triangle<S: Simd>(worker: &mut Worker, scene: &Scene, t: &Triangle, planes: &
     }
 }
 
-/// The part of a bin that a triangle's samples may lie in.
-pub struct Extent {
-    origin: [i32; 2],
-    /// First and last column and row, from the bin's first.
-    pub columns: (i32, i32),
-    /// See `columns`.
-    pub rows: (i32, i32),
-    /// Not all pixels that are covered may be drawn.
-    limited: bool,
-}
-
-impl Extent {
-    /// Of a triangle in a bin.
-    #[inline(always)]
-    pub fn new(plan: &Plan, t: &Triangle, bin: &BinPixels) -> Extent {
-        let stippled = plan.stipple.is_some() && t.flags & triangle_flags::POLYGON != 0;
-        let within = |span: u32, first: i32| ((span & 0xffff) as i32 - first, (span >> 16) as i32 - first);
-        Extent {
-            origin: bin.origin,
-            columns: within(t.columns, bin.origin[0]),
-            rows: within(t.rows, bin.origin[1]),
-            limited: stippled || t.flags & triangle_flags::CUT != 0,
-        }
-    }
-
-    /// The tiles that columns or rows lie in.
-    #[inline(always)]
-    pub fn tiles(&self, (first, last): (i32, i32)) -> std::ops::Range<i32> {
-        // Shifts: a last one before the first tile is none.
-        first.max(0) >> 3..(last.min(63) >> 3) + 1
-    }
-
-    /// The tiles of a row that the columns lie in, a bit each.
-    #[inline(always)]
-    pub fn tile_columns(&self) -> u32 {
-        let tiles = self.tiles(self.columns);
-        (0xff >> (8 - tiles.end)) & (0xff << tiles.start)
-    }
-
-    /// First and last row of a row of tiles.
-    #[inline(always)]
-    pub fn rows_of(&self, ty: i32) -> (i32, i32) {
-        ((self.rows.0 - ty * 8).max(0), (self.rows.1 - ty * 8).min(7))
-    }
-
-    /// The pixels of a tile that may be drawn at all: the scissor and the polygon stipple.
-    #[inline(always)]
-    pub fn allowed(&self, scene: &Scene, plan: &Plan, t: &Triangle, tx: i32, ty: i32) -> u64 {
-        let mut allowed = FULL;
-        if !self.limited {
-            return allowed;
-        }
-        if t.flags & triangle_flags::CUT != 0 {
-            allowed &= rectangle_mask(tx * 8, ty * 8, self.columns, self.rows);
-        }
-        if let (Some(stipple), true) = (plan.stipple, t.flags & triangle_flags::POLYGON != 0) {
-            allowed &= stipple_mask(stipple, scene, self.origin[0] + tx * 8, self.origin[1] + ty * 8);
-        }
-        allowed
-    }
-}
-
 /// Walks the tiles of a triangle in a bin; `MODE` is the plan's `fast`.
 #[inline(always)]
 fn tiles<S: Simd, const MODE: u32>(
@@ -296,68 +233,45 @@ fn tiles<S: Simd, const MODE: u32>(
     }
     let [ox, oy] = bin.origin;
     let local = LocalEdges::<S>::new(t, ox, oy);
-    let extent = Extent::new(plan, t, bin);
     let source = Source { work: worker.work, planes: t.planes, perspective: t.flags & triangle_flags::PERSPECTIVE != 0 };
     // Textured meshes hide little of themselves: with one sample a pixel only their large triangles are worth the look.
     let large = |span: u32| (span >> 16) - (span & 0xffff) >= 4 * TILE_SIZE;
     let worth = MODE == fast::NONE || MODE & fast::DEPTH != 0 && (MODE & fast::TEXTURE == 0 || large(t.columns) && large(t.rows));
-    let near = if worth && plan.hi_z { Some(Nearest::<S>::new(plan, t, planes, bin.origin)) } else { None };
-    for ty in extent.tiles(extent.rows) {
-        let (first, last) = extent.rows_of(ty);
-        let mut tiles = extent.tile_columns();
-        if let Some(near) = &near {
-            tiles = worker.hi_z.visible::<S>(plan, planes, near, tiles, ty, bin);
+    let mut walk = Walk::<S>::new(plan, t, planes, bin, worth && plan.hi_z);
+    while let Some(spot) = walk.next(plan, planes, &mut worker.hi_z, bin) {
+        let [first, last] = spot.rows;
+        // Rows of a quad go together where there is a texture.
+        let from = if MODE & fast::TEXTURE != 0 { first & !1 } else { first };
+        let Some(edges) = local.rows(spot.offset(), from) else { continue };
+        let allowed = walk.allowed(scene, plan, t, spot);
+        let full = edges.full && allowed == FULL;
+        if full {
+            bin.prefetch_next(spot.pixel());
         }
-        while tiles != 0 {
-            let tx = tiles.trailing_zeros() as i32;
-            tiles &= tiles - 1;
-            // Rows of a quad go together where there is a texture.
-            let from = if MODE & fast::TEXTURE != 0 { first & !1 } else { first };
-            let Some(edges) = local.rows(tx * 8, ty * 8, from) else { continue };
-            let allowed = extent.allowed(scene, plan, t, tx, ty);
-            let full = edges.full && allowed == FULL;
-            let tile = ((ty * 8 + tx) * 64) as usize;
-            if full {
-                bin.prefetch_next(tile);
+        if MODE != fast::NONE {
+            let tile = fast::Tile { at: spot.pixel(), place: spot.place(bin), edges, rows: spot.rows, allowed };
+            let written = if MODE & fast::TEXTURE != 0 {
+                textured::tile::<S, MODE>(&mut worker.fragments, scene, plan, t.draw, source, planes, bin, tile)
+            } else {
+                fast::tile::<S, MODE>(plan, t, planes, bin, tile)
+            };
+            if let Some(rows) = written {
+                worker.tiles[!full as usize] += 1;
+                worker.hi_z.wrote(spot.index(), rows * TILE_SIZE);
             }
-            if MODE != fast::NONE {
-                let at = (ty * 8 + tx) as usize;
-                let tile = fast::Tile { at: tile, place: [ox + tx * 8, oy + ty * 8], edges, rows: [first, last], allowed };
-                let written = if MODE & fast::TEXTURE != 0 {
-                    textured::tile::<S, MODE>(&mut worker.fragments, scene, plan, t.draw, source, planes, bin, tile)
-                } else {
-                    fast::tile::<S, MODE>(plan, t, planes, bin, tile)
-                };
-                if let Some(rows) = written {
-                    worker.tiles[!full as usize] += 1;
-                    worker.hi_z.wrote(at, rows * TILE_SIZE);
-                }
-                continue;
-            }
-            let mut mask = edges.mask(first, last) & allowed;
-            worker.tiles[!full as usize] += (mask != 0) as u64;
-            worker.hi_z.wrote((ty * 8 + tx) as usize, mask.count_ones());
-            while mask != 0 {
-                let row = mask.trailing_zeros() as i32 / 8;
-                let bits = (mask >> (8 * row)) as u32 & 0xff;
-                mask &= !(0xff << (8 * row));
-                let place = [ox + tx * 8, oy + ty * 8 + row];
-                row_of_pixels::<S>(worker, scene, plan, t, planes, bin, tile + row as usize * 8, place, bits);
-            }
+            continue;
+        }
+        let mut mask = edges.mask(first, last) & allowed;
+        worker.tiles[!full as usize] += (mask != 0) as u64;
+        worker.hi_z.wrote(spot.index(), mask.count_ones());
+        let [x, y] = spot.place(bin);
+        while mask != 0 {
+            let row = mask.trailing_zeros() as i32 / 8;
+            let bits = (mask >> (8 * row)) as u32 & 0xff;
+            mask &= !(0xff << (8 * row));
+            row_of_pixels::<S>(worker, scene, plan, t, planes, bin, spot.pixel() + row as usize * 8, [x, y + row], bits);
         }
     }
-}
-
-/// The polygon stipple on a tile whose first pixel is (x, y).
-fn stipple_mask(stipple: &[u32; 32], scene: &Scene, x: i32, y: i32) -> u64 {
-    let mut mask = 0;
-    for row in 0..8 {
-        let y = y + row;
-        let gl_y = if scene.format.top_first { scene.height as i32 - 1 - y } else { y };
-        let pattern = stipple[(gl_y & 31) as usize].reverse_bits();
-        mask |= ((pattern >> (x & 31) & 0xff) as u64) << (8 * row);
-    }
-    mask
 }
 
 /// A plane at eight pixels: fma(y, dy, fma(x, dx, a0)).
@@ -393,7 +307,7 @@ fn row_of_pixels<S: Simd>(
     place: [i32; 2],
     bits: u32,
 ) {
-    let x = S::add(S::f(place[0] as f32), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
+    let x = columns_from::<S>(place[0] as f32);
     let y = S::f(place[1] as f32);
     let front = t.flags & triangle_flags::FRONT != 0;
     let mut mask = S::mask(bits);
@@ -556,7 +470,7 @@ fn flush_kernel<S: Simd>(worker: &mut Worker, scene: &Scene, draw: u32, bin: &mu
             }
         }
         if scene.format.samples > 1 {
-            let place = samples::Place { pixel, place: row.place, front: row.front, several: row.several };
+            let place = samples::Place { pixel, place: row.place, front: row.front };
             let computed = plan.program.writes_depth.then_some(z);
             let covered = row.samples.map(|s| s & bits as u8);
             samples::write::<S>(plan, scene, scene.planes(row.work, row.planes), bin, place, covered, color, computed);

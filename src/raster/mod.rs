@@ -40,6 +40,7 @@ mod texture_wide;
 mod textured;
 pub mod tile;
 pub mod vertex;
+mod walk;
 mod write;
 
 #[cfg(test)]

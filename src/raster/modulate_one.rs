@@ -5,7 +5,7 @@
 use super::layout::interpolation;
 use super::modulate::{Block, COLOR, COORDINATES, Colors, Fragments, over_q, parts_mask, place, places, put};
 use super::plan::Plan;
-use super::simd::{Simd, eight};
+use super::simd::{Simd, columns_from, eight};
 use super::texture::Prepared;
 use crate::program::Modulate;
 use crate::program::lanes::LANES;
@@ -18,9 +18,6 @@ type Plane<S> = [<S as Simd>::F; 3];
 fn plane<S: Simd>(block: &Block, first: usize, c: usize) -> Plane<S> {
     [S::f(block[first][c]), S::f(block[first + 1][c]), S::f(block[first + 2][c])]
 }
-
-/// Numbers of the lanes.
-const LANE: [f32; LANES] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
 /// Colours of all fragments, which are of the first triangle, in a bin whose first pixel is at `origin`.
 #[inline(always)]
@@ -58,7 +55,7 @@ fn coordinates<S: Simd, const PERSPECTIVE: bool>(plan: &Plan, f: &mut Fragments,
             let [first, row] = place(at[0], origin);
             if first != column {
                 column = first;
-                let x = S::add(S::f(first as f32 + plan.centre), S::load(&LANE));
+                let x = columns_from::<S>(first as f32 + plan.centre);
                 for k in 0..4 {
                     across[k] = S::fma(x, planes[k][1], planes[k][0]);
                 }
@@ -118,7 +115,7 @@ fn colors<S: Simd, const PERSPECTIVE: bool>(
             let [first, _] = place(f.at[g * LANES], origin);
             if first != column {
                 column = first;
-                let x = S::add(S::f(first as f32 + plan.centre), S::load(&LANE));
+                let x = columns_from::<S>(first as f32 + plan.centre);
                 for k in 0..4 {
                     across[k] = S::fma(S::spread(x, k), dx, a0);
                 }

@@ -111,6 +111,12 @@ impl<'a> Plan<'a> {
 }
 
 impl Plan<'_> {
+    /// Samples have coverage and depths of their own, not the pixel's.
+    #[inline(always)]
+    pub fn multisampled(&self) -> bool {
+        self.centre != 0.0
+    }
+
     /// What the program reads.
     pub fn inputs(&self) -> &[Input] {
         &self.program.inputs

@@ -2,13 +2,13 @@
 //!
 //! A bin holds its samples one after the other, so that the routines of one sample serve all of them.
 
-use super::fine::{Extent, Row, Scene, Worker, depth, direct_color, queue, row8};
-use super::hi_z::Nearest;
+use super::fine::{Row, Scene, Worker, depth, direct_color, queue, row8};
 use super::layout::*;
 use super::plan::Plan;
-use super::simd::{Level, Simd};
+use super::simd::{Level, Simd, columns_from};
 use super::store::{BIN_PIXELS, BinPixels};
 use super::tile::{FULL, LocalEdges};
+use super::walk::Walk;
 use super::write::{self, Color};
 use super::{depth_stencil, fast, fast_samples};
 use crate::device::samples::{MAX_SAMPLES, positions};
@@ -25,8 +25,6 @@ pub struct Place {
     pub place: [i32; 2],
     /// It is of a front face.
     pub front: bool,
-    /// Samples have depths of their own, not the pixel's.
-    pub several: bool,
 }
 
 fn union(covered: &Covered) -> u32 {
@@ -36,8 +34,7 @@ fn union(covered: &Covered) -> u32 {
 /// Where planes are evaluated for a sample of eight pixels.
 #[inline(always)]
 fn sample_place<S: Simd>(plan: &Plan, place: [i32; 2], [x, y]: [i32; 2]) -> (S::F, S::F) {
-    let columns = S::add(S::f(place[0] as f32 + plan.centre), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
-    (S::add(columns, S::f(x as f32 / 16.0)), S::f(place[1] as f32 + plan.centre + y as f32 / 16.0))
+    (S::add(columns_from::<S>(place[0] as f32 + plan.centre), S::f(x as f32 / 16.0)), S::f(place[1] as f32 + plan.centre + y as f32 / 16.0))
 }
 
 /// Walks the tiles of a triangle in a bin.
@@ -45,7 +42,7 @@ fn sample_place<S: Simd>(plan: &Plan, place: [i32; 2], [x, y]: [i32; 2]) -> (S::
 pub fn tiles<S: Simd>(worker: &mut Worker, scene: &Scene, plan: &Plan, t: &Triangle, planes: &[[f32; 4]], bin: &mut BinPixels) {
     let [ox, oy] = bin.origin;
     let count = scene.format.samples as usize;
-    let several = t.flags & triangle_flags::MULTISAMPLE != 0;
+    let several = plan.multisampled();
     if several && plan.fast_samples != fast::NONE {
         return match count {
             // Unrolled, a level without the instructions only grows: a sample takes a few hundred of its own.
@@ -56,45 +53,28 @@ pub fn tiles<S: Simd>(worker: &mut Worker, scene: &Scene, plan: &Plan, t: &Trian
     let centre = LocalEdges::<S>::new(t, ox, oy);
     let all = if several { centre.of_all_samples() } else { centre };
     // Without multisampling all are the centre.
-    let mut offsets = [[0; 8]; MAX_SAMPLES as usize];
-    if several {
-        for (offsets, &place) in offsets.iter_mut().zip(positions(scene.format.samples)) {
-            S::store_u(centre.offset(place), offsets);
+    let offsets = if several { centre.offsets(positions(scene.format.samples)) } else { [[0; 8]; MAX_SAMPLES as usize] };
+    let mut walk = Walk::<S>::new(plan, t, planes, bin, plan.hi_z);
+    while let Some(spot) = walk.next(plan, planes, &mut worker.hi_z, bin) {
+        let [first, last] = spot.rows;
+        let Some(reached) = all.rows(spot.offset(), first) else { continue };
+        let allowed = walk.allowed(scene, plan, t, spot);
+        let full = reached.full && allowed == FULL;
+        let mut masks = [0; MAX_SAMPLES as usize];
+        reached.masks(first, last, &offsets, &mut masks[..count]);
+        for (s, mask) in masks[..count].iter_mut().enumerate() {
+            *mask &= if plan.state.dropped_samples >> s & 1 != 0 { 0 } else { allowed };
         }
-    }
-    let extent = Extent::new(plan, t, bin);
-    let near = Nearest::<S>::new(plan, t, planes, bin.origin);
-    for ty in extent.tiles(extent.rows) {
-        let (first, last) = extent.rows_of(ty);
-        let mut tiles = extent.tile_columns();
-        if plan.hi_z {
-            tiles = worker.hi_z.visible::<S>(plan, planes, &near, tiles, ty, bin);
-        }
-        while tiles != 0 {
-            let tx = tiles.trailing_zeros() as i32;
-            tiles &= tiles - 1;
-            let Some(reached) = all.rows(tx * 8, ty * 8, first) else { continue };
-            let allowed = extent.allowed(scene, plan, t, tx, ty);
-            let full = reached.full && allowed == FULL;
-            let mut masks = [0; MAX_SAMPLES as usize];
-            reached.masks(first, last, &offsets, &mut masks[..count]);
-            for (s, mask) in masks[..count].iter_mut().enumerate() {
-                *mask &= if plan.state.dropped_samples >> s & 1 != 0 { 0 } else { allowed };
-            }
-            let mut left = masks.iter().fold(0, |all, mask| all | mask);
-            worker.tiles[!full as usize] += (left != 0) as u64;
-            worker.hi_z.wrote((ty * 8 + tx) as usize, left.count_ones());
-            while left != 0 {
-                let row = left.trailing_zeros() as i32 / 8;
-                left &= !(0xff << (8 * row));
-                let place = Place {
-                    pixel: ((ty * 8 + tx) * 64 + row * 8) as usize,
-                    place: [ox + tx * 8, oy + ty * 8 + row],
-                    front: t.flags & triangle_flags::FRONT != 0,
-                    several,
-                };
-                row_of_samples::<S>(worker, scene, plan, t, planes, bin, place, masks.map(|mask| (mask >> (8 * row)) as u8));
-            }
+        let mut left = masks.iter().fold(0, |all, mask| all | mask);
+        worker.tiles[!full as usize] += (left != 0) as u64;
+        worker.hi_z.wrote(spot.index(), left.count_ones());
+        let [x, y] = spot.place(bin);
+        while left != 0 {
+            let row = left.trailing_zeros() as i32 / 8;
+            left &= !(0xff << (8 * row));
+            let pixel = spot.pixel() + row as usize * 8;
+            let place = Place { pixel, place: [x, y + row], front: t.flags & triangle_flags::FRONT != 0 };
+            row_of_samples::<S>(worker, scene, plan, t, planes, bin, place, masks.map(|mask| (mask >> (8 * row)) as u8));
         }
     }
 }
@@ -125,8 +105,8 @@ fn row_of_samples<S: Simd>(
             write::<S>(plan, scene, planes, bin, place, covered, color, None);
         }
         None => {
-            let Place { pixel, place, several, .. } = place;
-            let row = Row { at: pixel as u32, mask, place, samples: covered, several, ..Row::default() };
+            let Place { pixel, place, .. } = place;
+            let row = Row { at: pixel as u32, mask, place, samples: covered, ..Row::default() };
             queue::<S>(worker, scene, t, bin, row);
         }
     }
@@ -151,7 +131,7 @@ fn test<S: Simd>(
         let z = computed.unwrap_or_else(
             #[inline(always)]
             || {
-                let (x, y) = sample_place::<S>(plan, place.place, if place.several { at } else { [0, 0] });
+                let (x, y) = sample_place::<S>(plan, place.place, if plan.multisampled() { at } else { [0, 0] });
                 depth::<S>(plan, planes, x, y)
             },
         );

@@ -99,6 +99,12 @@ pub trait Simd: Copy + 'static {
     fn ranks(bits: u32) -> Self::I;
 }
 
+/// Eight columns of pixels from one on, or places in them.
+#[inline(always)]
+pub fn columns_from<S: Simd>(first: f32) -> S::F {
+    S::add(S::f(first), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]))
+}
+
 /// Eight lanes of a column from any lane on.
 #[inline(always)]
 pub fn eight<T>(column: &[T], first: usize) -> &[T; 8] {

@@ -64,7 +64,7 @@ fn covers(t: &Triangle, px: i32, py: i32) -> bool {
 
 /// Coverage of the tile at (x, y).
 fn coverage(local: &LocalEdges<Portable>, x: i32, y: i32) -> u64 {
-    local.rows(x, y, 0).map_or(0, |rows| rows.mask(0, 7))
+    local.rows([x, y], 0).map_or(0, |rows| rows.mask(0, 7))
 }
 
 #[test]

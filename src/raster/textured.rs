@@ -6,7 +6,7 @@ use super::fast::{DEPTH, DepthRow, Tile};
 use super::fine::{Scene, row8};
 use super::modulate::{self, Colors, Fragments, Source};
 use super::plan::Plan;
-use super::simd::{Simd, eight, eight_mut};
+use super::simd::{Simd, columns_from, eight, eight_mut};
 use super::store::{BIN_PIXELS, BinPixels};
 use super::tile::FULL;
 use crate::program::lanes::LANES;
@@ -26,7 +26,7 @@ pub fn tile<S: Simd, const MODE: u32>(
 ) -> Option<u32> {
     let Tile { at, place, mut edges, rows: [first, last], allowed } = tile;
     let lod = plan.modulate.is_some_and(|what| what.lod);
-    let x = S::add(S::f(place[0] as f32), S::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]));
+    let x = columns_from::<S>(place[0] as f32);
     let depth = DepthRow::<S>::new(planes, x);
     let (mut touched, mut written) = (false, 0);
     // Two rows at a time, those of a quad: neither waits for the other, and rows beyond the triangle's are just not covered.

@@ -159,6 +159,16 @@ impl<S: Simd> LocalEdges<S> {
         S::sar::<4>(S::iadd(self.low, S::iadd(S::imul(self.a, S::i(x)), S::imul(self.b, S::i(y)))))
     }
 
+    /// The same of each of up to `N` samples.
+    #[inline(always)]
+    pub fn offsets<const N: usize>(&self, places: &[[i32; 2]]) -> [[u32; 8]; N] {
+        let mut offsets = [[0; 8]; N];
+        for (offsets, &place) in offsets.iter_mut().zip(places) {
+            S::store_u(self.offset(place), offsets);
+        }
+        offsets
+    }
+
     /// The edge functions of a sample, by its place from the centre in 1/16 pixel.
     #[inline(always)]
     pub fn sample(&self, place: [i32; 2]) -> Self {
@@ -243,9 +253,9 @@ impl<S: Simd> TileRows<S> {
 }
 
 impl<S: Simd> LocalEdges<S> {
-    /// The rows from `first` on of the tile whose first pixel lies `(x, y)` from the place; `None` where no sample is inside.
+    /// The rows from `first` on of the tile whose first pixel lies so far from the place; `None` where no sample is inside.
     #[inline(always)]
-    pub fn rows(&self, x: i32, y: i32, first: i32) -> Option<TileRows<S>> {
+    pub fn rows(&self, [x, y]: [i32; 2], first: i32) -> Option<TileRows<S>> {
         let c = S::iadd(self.c, S::iadd(S::imul(self.a, S::i(x)), S::imul(self.b, S::i(y))));
         if S::signs(S::iadd(c, self.reach[0])) & 7 != 0 {
             return None;
