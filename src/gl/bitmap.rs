@@ -12,7 +12,6 @@ use super::pixel_format::{ClientImage, Groups};
 impl Context {
     /// glBitmap. `pixels`: from the client's pointer on, as [`Context::unpack_bytes`] says for GL_COLOR_INDEX, GL_BITMAP;
     /// None for NULL: the raster position moves nevertheless.
-    #[allow(clippy::too_many_arguments)]
     pub fn bitmap(&mut self, width: i32, height: i32, x_origin: f32, y_origin: f32, x_move: f32, y_move: f32, pixels: Option<&[u8]>) {
         let visible = self.lists.builder.is_some() || self.state.current.raster.valid && self.render_mode == GL_RENDER;
         let image = pixels

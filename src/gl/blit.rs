@@ -30,7 +30,6 @@ fn span(a: i32, b: i32) -> u32 {
 
 impl Context {
     /// glBlitFramebuffer
-    #[allow(clippy::too_many_arguments)]
     pub fn blit_framebuffer(
         &mut self,
         source_x0: i32,

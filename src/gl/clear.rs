@@ -74,14 +74,8 @@ impl Context {
         self.dirty |= dirty::RASTER;
     }
 
-    /// glFlush. Not compiled into lists, executed at once (5.4).
-    pub fn flush(&mut self) {
-        if !self.inside_begin_end() {
-            self.flush_batch();
-        }
-    }
-
-    /// glFlush and glFinish are allowed: not between Begin and End, where this records the error.
+    /// glFlush and glFinish, which are not compiled into lists but executed at once (5.4), are allowed: not between Begin and End, where this
+    /// records the error.
     pub fn may_flush(&mut self) -> bool {
         !self.inside_begin_end()
     }

@@ -30,7 +30,6 @@ impl Context {
     }
 
     /// glCopyTexImage1D
-    #[allow(clippy::too_many_arguments)]
     pub fn copy_tex_image_1d(&mut self, target: GLenum, level: i32, internal_format: GLenum, x: i32, y: i32, width: i32, border: i32) {
         if self.compile(move |cx| cx.copy_tex_image_1d(target, level, internal_format, x, y, width, border)) || self.inside_begin_end() {
             return;
@@ -39,7 +38,6 @@ impl Context {
     }
 
     /// glCopyTexImage2D
-    #[allow(clippy::too_many_arguments)]
     pub fn copy_tex_image_2d(
         &mut self,
         target: GLenum,
@@ -59,7 +57,6 @@ impl Context {
         self.copy_tex_image(2, target, level, internal_format, [x, y], [width, height, 1], border);
     }
 
-    #[allow(clippy::too_many_arguments)]
     fn copy_tex_image(
         &mut self,
         dimensions: usize,
@@ -100,7 +97,6 @@ impl Context {
     }
 
     /// glCopyTexSubImage2D
-    #[allow(clippy::too_many_arguments)]
     pub fn copy_tex_sub_image_2d(
         &mut self,
         target: GLenum,
@@ -121,7 +117,6 @@ impl Context {
     }
 
     /// glCopyTexSubImage3D
-    #[allow(clippy::too_many_arguments)]
     pub fn copy_tex_sub_image_3d(
         &mut self,
         target: GLenum,

@@ -76,7 +76,6 @@ impl Context {
     }
 
     /// glMap2{fd}. `points` holds at least [`map2_values`] values; strides count values.
-    #[allow(clippy::too_many_arguments)]
     pub fn map2(
         &mut self,
         target: GLenum,

@@ -50,7 +50,6 @@ impl Context {
 
     /// glReadPixels. `out`: from the client's pointer on, as [`Context::pack_bytes`] says. Pixels outside the window are
     /// left untouched.
-    #[allow(clippy::too_many_arguments)]
     pub fn read_pixels(&mut self, x: i32, y: i32, width: i32, height: i32, format: GLenum, ty: GLenum, out: Option<&mut [u8]>) {
         if self.inside_begin_end() {
             return;

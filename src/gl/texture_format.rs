@@ -141,8 +141,8 @@ impl InternalFormat {
         const OPAQUE: u32 = 0xff00_0000;
         match self.base {
             GL_ALPHA => pixels.iter_mut().for_each(|p| *p &= OPAQUE),
-            GL_LUMINANCE => pixels.iter_mut().for_each(|p| *p = (*p & 255) * 0x01_0101 | OPAQUE),
-            GL_LUMINANCE_ALPHA => pixels.iter_mut().for_each(|p| *p = (*p & 255) * 0x01_0101 | *p & OPAQUE),
+            GL_LUMINANCE => pixels.iter_mut().for_each(|p| *p = ((*p & 255) * 0x01_0101) | OPAQUE),
+            GL_LUMINANCE_ALPHA => pixels.iter_mut().for_each(|p| *p = ((*p & 255) * 0x01_0101) | *p & OPAQUE),
             GL_INTENSITY => pixels.iter_mut().for_each(|p| *p = (*p & 255) * 0x0101_0101),
             GL_RGB => pixels.iter_mut().for_each(|p| *p |= OPAQUE),
             _ => {}

@@ -184,7 +184,6 @@ fn check_base_format(format: GLenum, base: GLenum) -> Result<(), GLenum> {
 }
 
 /// The checks of glTexImage but for the sizes that are not supported.
-#[allow(clippy::too_many_arguments)]
 fn check_image(
     dimensions: usize,
     target: GLenum,
@@ -204,7 +203,6 @@ fn check_image(
 
 impl Context {
     /// glTexImage1D. `pixels`: from the client's pointer on, as [`Context::unpack_bytes`] says; None for NULL.
-    #[allow(clippy::too_many_arguments)]
     pub fn tex_image_1d(
         &mut self,
         target: GLenum,
@@ -220,7 +218,6 @@ impl Context {
     }
 
     /// glTexImage2D
-    #[allow(clippy::too_many_arguments)]
     pub fn tex_image_2d(
         &mut self,
         target: GLenum,
@@ -237,7 +234,6 @@ impl Context {
     }
 
     /// glTexImage3D. `pixels` as [`Context::unpack_bytes_3d`] says.
-    #[allow(clippy::too_many_arguments)]
     pub fn tex_image_3d(
         &mut self,
         target: GLenum,
@@ -254,7 +250,6 @@ impl Context {
         self.tex_image(3, target, level, internal_format, [width, height, depth], border, format, ty, pixels);
     }
 
-    #[allow(clippy::too_many_arguments)]
     fn tex_image(
         &mut self,
         dimensions: usize,
@@ -286,7 +281,6 @@ impl Context {
         run(self, image);
     }
 
-    #[allow(clippy::too_many_arguments)]
     fn tex_image_unpacked(
         &mut self,
         dimensions: usize,
@@ -338,13 +332,11 @@ impl Context {
     }
 
     /// glTexSubImage1D
-    #[allow(clippy::too_many_arguments)]
     pub fn tex_sub_image_1d(&mut self, target: GLenum, level: i32, x: i32, width: i32, format: GLenum, ty: GLenum, pixels: Option<&[u8]>) {
         self.tex_sub_image(1, target, level, [x, 0, 0], [width, 1, 1], format, ty, pixels);
     }
 
     /// glTexSubImage2D
-    #[allow(clippy::too_many_arguments)]
     pub fn tex_sub_image_2d(
         &mut self,
         target: GLenum,
@@ -361,7 +353,6 @@ impl Context {
     }
 
     /// glTexSubImage3D
-    #[allow(clippy::too_many_arguments)]
     pub fn tex_sub_image_3d(
         &mut self,
         target: GLenum,
@@ -379,7 +370,6 @@ impl Context {
         self.tex_sub_image(3, target, level, [x, y, z], [width, height, depth], format, ty, pixels);
     }
 
-    #[allow(clippy::too_many_arguments)]
     fn tex_sub_image(
         &mut self,
         dimensions: usize,

@@ -46,12 +46,12 @@ impl Context {
     #[cold]
     pub(crate) fn shade_before_change(&mut self) {
         let mut immediate = std::mem::take(&mut self.immediate);
-        if let Some(mode) = immediate.mode() {
-            if self.render_mode != GL_RENDER || !self.shade_pending(mode, &mut immediate) {
-                // Selection and feedback shade on their own: primitives that are complete keep their materials.
-                self.immediate = immediate;
-                return self.split_primitive();
-            }
+        if let Some(mode) = immediate.mode()
+            && (self.render_mode != GL_RENDER || !self.shade_pending(mode, &mut immediate))
+        {
+            // Selection and feedback shade on their own: primitives that are complete keep their materials.
+            self.immediate = immediate;
+            return self.split_primitive();
         }
         self.immediate = immediate;
     }

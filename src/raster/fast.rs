@@ -170,7 +170,7 @@ pub fn tile<S: Simd, const MODE: u32>(plan: &Plan, t: &Triangle, planes: &[[f32;
             next = over_w::<S>(place[1] + row + 1, tail[1], wx);
         }
         // Only signs count in a mask: they are what `select` and `signs` look at.
-        let mut outside = edges.next();
+        let mut outside = edges.next_row();
         if allowed != FULL {
             outside = S::or(outside, S::mask(!(allowed >> (8 * row)) as u32));
         }

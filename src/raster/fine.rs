@@ -295,7 +295,6 @@ pub fn row8(words: &mut [u32], at: usize) -> &mut [u32; 8] {
 }
 
 #[inline(always)]
-#[allow(clippy::too_many_arguments)]
 fn row_of_pixels<S: Simd>(
     worker: &mut Worker,
     scene: &Scene,

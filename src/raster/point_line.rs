@@ -69,7 +69,7 @@ fn ends(a: [f32; 2], b: [f32; 2], d: [f32; 2], y_major: bool) -> Ends {
             true
         } else {
             let at = crosses(b[1], major2);
-            at < 1.0 && at >= 0.0
+            (0.0..1.0).contains(&at)
         };
         starts = positive(major1) == positive(d[0]);
         stops = positive(-major2) == positive(d[0]) || major2 == 0.0;
@@ -144,7 +144,7 @@ impl Chunk {
             };
             self.planes.extend([value, [0.0; 4], [0.0; 4]]);
         }
-        let flags = front as u32 * triangle_flags::FRONT | (a.screen.inv_w != 1.0) as u32 * triangle_flags::PERSPECTIVE;
+        let flags = (front as u32 * triangle_flags::FRONT) | ((a.screen.inv_w != 1.0) as u32 * triangle_flags::PERSPECTIVE);
         self.rectangle(context, x, y, flags, planes);
     }
 
@@ -239,7 +239,7 @@ impl Chunk {
             self.planes.extend((0..3).map(|r| std::array::from_fn::<f32, 4, _>(|c| columns[c][r])));
         }
         let perspective = a.screen.inv_w != 1.0 || b.screen.inv_w != 1.0;
-        let flags = front as u32 * triangle_flags::FRONT | perspective as u32 * triangle_flags::PERSPECTIVE;
+        let flags = (front as u32 * triangle_flags::FRONT) | (perspective as u32 * triangle_flags::PERSPECTIVE);
         if let Some(SmoothLine { x, y, .. }) = smooth {
             self.rectangle(context, x, y, flags, planes);
         } else if x_major {

@@ -80,7 +80,6 @@ pub fn tiles<S: Simd>(worker: &mut Worker, scene: &Scene, plan: &Plan, t: &Trian
 }
 
 #[inline(always)]
-#[allow(clippy::too_many_arguments)]
 fn row_of_samples<S: Simd>(
     worker: &mut Worker,
     scene: &Scene,
@@ -114,7 +113,6 @@ fn row_of_samples<S: Simd>(
 
 /// Stencil and depth test of each sample; those that fail are taken out. `computed`: the program's depth.
 #[inline(always)]
-#[allow(clippy::too_many_arguments)]
 fn test<S: Simd>(
     plan: &Plan,
     scene: &Scene,
@@ -142,7 +140,6 @@ fn test<S: Simd>(
 
 /// The operations after the colour is known, sample by sample.
 #[inline(always)]
-#[allow(clippy::too_many_arguments)]
 pub fn write<S: Simd>(
     plan: &Plan,
     scene: &Scene,

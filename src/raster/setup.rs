@@ -236,7 +236,7 @@ impl Chunk {
         if v.iter().any(|c| c.screen.inv_w != 1.0) {
             flags |= triangle_flags::PERSPECTIVE;
         }
-        flags |= front as u32 * triangle_flags::FRONT | !context.top_first as u32 * triangle_flags::BOTTOM_UP;
+        flags |= (front as u32 * triangle_flags::FRONT) | (!context.top_first as u32 * triangle_flags::BOTTOM_UP);
         let planes = self.planes.len() as u32;
         let places = v.map(|c| c.screen.position);
         let offset = if offset { polygon_offset(context.state, places) } else { 0.0 };
@@ -320,7 +320,7 @@ pub fn bounds(x: [i32; 3], y: [i32; 3], state: &RasterState) -> Option<(u32, u32
             cut = triangle_flags::CUT;
         }
         let (first, last) = (first.max(low), last.min(high));
-        (first <= last).then(|| first as u32 | (last as u32) << 16)
+        (first <= last).then_some(first as u32 | (last as u32) << 16)
     };
     let (columns, rows) = (range(x, 0)?, range(y, 1)?);
     Some((columns, rows, cut | if multisample { triangle_flags::MULTISAMPLE } else { 0 }))

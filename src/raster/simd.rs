@@ -259,7 +259,7 @@ impl Simd for Portable {
     fn round(a: Self::F) -> Self::I {
         map(a, |x| {
             let r = x.round_ties_even();
-            if r >= -2147483648.0 && r < 2147483648.0 { r as i32 } else { i32::MIN }
+            if (-2147483648.0..2147483648.0).contains(&r) { r as i32 } else { i32::MIN }
         })
     }
     #[inline(always)]

@@ -187,7 +187,6 @@ fn draw_on<const STRIDE: usize>(
 
 /// `flags`: of the fragment state and of the raster state. `depth_funcs`: as many parts of the primitives are drawn, each with its
 /// comparison, and between them the depth of a part of the surface is cleared.
-#[allow(clippy::too_many_arguments)]
 fn draw_state<const STRIDE: usize>(
     canvas: Canvas,
     device: &CpuDevice,
@@ -239,7 +238,7 @@ fn batch<const STRIDE: usize>(
     (record.vertex_count, record.topology, record.shaded_stride) = (vertices.len() as u32, topology, STRIDE as u32);
     (record.clip_distances, record.point_size, record.varying_count) = (NONE, NONE, STRIDE as u32 - 1);
     for k in 0..STRIDE - 1 {
-        record.varyings[k] = (k as u32 + 1) * 0x101 | interpolation::PERSPECTIVE << 16;
+        record.varyings[k] = ((k as u32 + 1) * 0x101) | (interpolation::PERSPECTIVE << 16);
     }
     let each = topology + 1;
     let count = vertices.len() as u32 / each;

@@ -209,7 +209,7 @@ fn at_levels<S: simd::Simd>(
     let choices = lambda.map(|lambda| choose(image, sampler, lambda));
     let first = choices[0];
     if choices.iter().all(|c| (c.level, c.linear) == (first.level, first.linear)) {
-        return sample_choice::<S>(image, sampler, first, choices.map(|c| c.blend), &position);
+        return sample_choice::<S>(image, sampler, first, choices.map(|c| c.blend), position);
     }
     // Lanes that disagree (a quad each): every choice samples all lanes, and the lanes that made it take the result.
     let mut result = [[0.0; LANES]; 4];
@@ -219,7 +219,7 @@ fn at_levels<S: simd::Simd>(
             continue;
         }
         let choice = choices[lane];
-        let texel = sample_choice::<S>(image, sampler, choice, choices.map(|c| c.blend), &position);
+        let texel = sample_choice::<S>(image, sampler, choice, choices.map(|c| c.blend), position);
         for other in lane..LANES {
             if (choices[other].level, choices[other].linear) == (choice.level, choice.linear) {
                 done[other] = true;
@@ -383,7 +383,7 @@ mod tests {
             .iter()
             .enumerate()
             .map(|(l, &(width, height))| {
-                let texels = (0..width * height).map(|i| (i * 37 + l as u32 * 91) & 255 | (i * 11 & 255) << 8 | 0xff00_0000).collect();
+                let texels = (0..width * height).map(|i| (i * 37 + l as u32 * 91) & 255 | ((i * 11) & 255) << 8 | 0xff00_0000).collect();
                 TextureLevel { width, height, depth: 1, texels: Arc::new(texels) }
             })
             .collect();

@@ -13,7 +13,6 @@ use crate::program::lanes::LANES;
 
 /// Draws the covered pixels of a tile: the rows that were written; `None` where nothing is covered.
 #[inline(always)]
-#[allow(clippy::too_many_arguments)]
 pub fn tile<S: Simd, const MODE: u32>(
     fragments: &mut Fragments,
     scene: &Scene,
@@ -33,7 +32,7 @@ pub fn tile<S: Simd, const MODE: u32>(
     let mut row = (first & !1) - 2;
     while row + 2 <= last {
         row += 2;
-        let mut outside = [edges.next(), edges.next()];
+        let mut outside = [edges.next_row(), edges.next_row()];
         if allowed != FULL {
             for k in 0..2 {
                 outside[k] = S::or(outside[k], S::mask(!(allowed >> (8 * row + 8 * k as i32)) as u32));

@@ -199,7 +199,7 @@ pub struct TileRows<S: Simd> {
 impl<S: Simd> TileRows<S> {
     /// Samples outside have their sign set; goes on to the next row.
     #[inline(always)]
-    pub fn next(&mut self) -> S::I {
+    pub fn next_row(&mut self) -> S::I {
         let outside = S::or(S::or(self.values[0], self.values[1]), self.values[2]);
         self.step();
         outside
@@ -231,7 +231,7 @@ impl<S: Simd> TileRows<S> {
         }
         let mut mask = 0;
         for row in first..=last {
-            mask |= ((!S::signs(self.next()) & 0xff) as u64) << (8 * row);
+            mask |= ((!S::signs(self.next_row()) & 0xff) as u64) << (8 * row);
         }
         mask
     }

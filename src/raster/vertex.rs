@@ -59,12 +59,12 @@ pub fn snap(v: f32) -> i32 {
 #[inline(always)]
 pub fn frustum_code(p: [f32; 4], raster_flags_: u32) -> u32 {
     let [x, y, z, w] = p;
-    let mut code = (x > w) as u32 * clip_code::RIGHT
-        | (x + w < 0.0) as u32 * clip_code::LEFT
-        | (y > w) as u32 * clip_code::TOP
-        | (y + w < 0.0) as u32 * clip_code::BOTTOM;
+    let mut code = ((x > w) as u32 * clip_code::RIGHT)
+        | ((x + w < 0.0) as u32 * clip_code::LEFT)
+        | ((y > w) as u32 * clip_code::TOP)
+        | ((y + w < 0.0) as u32 * clip_code::BOTTOM);
     if raster_flags_ & raster_flags::NO_Z_CLIP == 0 {
-        code |= (z + w < 0.0) as u32 * clip_code::NEAR | (z > w) as u32 * clip_code::FAR;
+        code |= ((z + w < 0.0) as u32 * clip_code::NEAR) | ((z > w) as u32 * clip_code::FAR);
     }
     // The sum is finite where all four are, but for overflow, which draws nothing either.
     if !(x + y + z + w).is_finite() || w == 0.0 && x == 0.0 && y == 0.0 && z == 0.0 {
@@ -95,7 +95,7 @@ pub struct VertexWorker {
 impl Default for VertexWorker {
     fn default() -> Self {
         VertexWorker {
-            inputs: vec![ZERO4; ATTRIBUTES].try_into().ok().expect("its own length"),
+            inputs: vec![ZERO4; ATTRIBUTES].try_into().expect("its own length"),
             outputs: Vec::new(),
             machine: Machine::default(),
         }

@@ -19,7 +19,6 @@ pub struct Color<S: Simd> {
 
 /// The operations after the colour is known.
 #[inline(always)]
-#[allow(clippy::too_many_arguments)]
 pub fn write<S: Simd>(
     plan: &Plan,
     format: SurfaceFormat,

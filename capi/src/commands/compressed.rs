@@ -8,7 +8,6 @@ use tepui::gl::enums::*;
 macro_rules! without_data {
     ($($name:ident($($arg:ident: $t:ty),*) => $method:ident;)*) => { $(
         #[doc = stringify!($name)]
-        #[allow(clippy::too_many_arguments)]
         pub unsafe fn $name(cx: &mut Context, $($arg: $t),*) {
             cx.$method();
         }

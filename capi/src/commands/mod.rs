@@ -4,7 +4,7 @@
 //!
 //! One contract for all of them, which `# Safety` sections would only repeat: `cx` is this thread's current context; a pointer is NULL or
 //! points to as many values as the specification of the command says for its other arguments and the pixel store state.
-#![allow(clippy::missing_safety_doc, clippy::too_many_arguments)]
+#![allow(clippy::missing_safety_doc)]
 
 pub mod arrays;
 pub mod compressed;

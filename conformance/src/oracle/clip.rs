@@ -8,7 +8,7 @@ use super::exact::{Homogeneous, USER};
 /// Distance from plane `k`: six of the view volume, then the user's.
 fn distance(v: &Homogeneous, k: usize) -> BigInt {
     match k {
-        0..6 if k % 2 == 0 => &v[3] - &v[k / 2],
+        0..6 if k.is_multiple_of(2) => &v[3] - &v[k / 2],
         0..6 => &v[3] + &v[k / 2],
         _ => v[USER + k - 6].clone(),
     }

@@ -69,7 +69,7 @@ fn open(driver: &Driver, request: &str) -> Result<Open, String> {
 /// 64 x 64 texels of blocks with noise, as a lit surface has them.
 fn texels() -> Vec<u32> {
     let texel = |x: u32, y: u32| {
-        let block = if (x / 8 + y / 8) % 2 == 0 { 0x40 } else { 0xb0 };
+        let block = if (x / 8 + y / 8).is_multiple_of(2) { 0x40 } else { 0xb0 };
         let noise = (x.wrapping_mul(2654435761) ^ y.wrapping_mul(2246822519)) >> 27;
         let value = block + noise;
         value | value << 8 | (value / 2) << 16 | 0xff00_0000

@@ -159,13 +159,13 @@ pub fn huge(options: &Options, benches: &[Bench]) -> Result<Section, String> {
 fn huge_frame(section: &mut Section, bench: &Bench, slices: u32) -> Result<Vec<String>, String> {
     use tepui::device::{Device, Surface, gpu::GpuSurface};
     enum Target {
-        Gpu(GpuSurface),
+        Gpu(Box<GpuSurface>),
         Cpu(Box<dyn Surface>),
     }
     let size = SIZES[1];
     let format = super::bench::format(1)?;
     let mut target = match bench {
-        Bench::Gpu(gpu, _) => Target::Gpu(gpu.gpu_surface(size[0], size[1], format)?),
+        Bench::Gpu(gpu, _) => Target::Gpu(Box::new(gpu.gpu_surface(size[0], size[1], format)?)),
         Bench::Cpu(cpu) => Target::Cpu(cpu.surface(size[0], size[1], format)),
     };
     let (mut seconds, mut triangles, mut largest, mut device) = (0.0, 0u64, 0, 0);

@@ -80,7 +80,7 @@ fn poisoned(severity: f64, seed: u64, attribute: u64) -> Case {
     recording.draw_as(gl::TRIANGLES, has::COLOR | has::NORMAL | has::COORDINATE, &all, attribute % 2 == 1);
     // A poisoned triangle that is finite is judged like any other, and may reach anywhere; one that is not must not be seen beside its cell.
     let finite = severity <= LARGEST;
-    let ours = |column: usize, row: usize| (column / CELL + row / CELL) % 2 == 0;
+    let ours = |column: usize, row: usize| (column / CELL + row / CELL).is_multiple_of(2);
     let judge = move |frame: &Frame| {
         if finite {
             let coverage = cover(&view, SIDE, SIDE, &all, |_, _| true);

@@ -6,19 +6,19 @@ use std::collections::HashMap;
 use bytemuck::cast_slice;
 
 use super::adapter::Shape;
+use super::clears::{absorb_clears, clear_params};
 use super::fine::{FineKey, feature};
 use super::front::Slice;
 use super::host_front::HostFront;
-use super::params::{FrontParams, Params, SEGMENT_WORDS, fresh};
+use super::params::{FrontParams, Params, SEGMENT_WORDS};
 use super::records::{DRAW_WORDS, pack_draw};
 use super::room::Room;
 use super::segment::{DrawNeeds, Segment, needs, served_flags};
 use super::texture::Heap;
 use super::visible;
-use crate::device::{DepthFormat, SurfaceFormat};
-use crate::draw::{Batch, Clear, Step};
+use crate::device::SurfaceFormat;
+use crate::draw::{Batch, Step};
 use crate::raster::layout::*;
-use crate::raster::{blend::mask_bits, formats};
 
 /// Words of an entry's record: see `shaders/tile.wgsl`.
 pub const ENTRY_WORDS: u32 = 12;
@@ -130,76 +130,6 @@ impl Plan {
         self.queue_words = self.queue_words.max(words);
         let draw = segment.draw;
         self.push(place, Action::Visible(Box::new(VisibleAction { params, front, key: segment.finish(), draw })));
-    }
-}
-
-/// A clear as parameters; `None` where it writes nothing.
-fn clear_params(clear: &Clear, mut params: Params, format: SurfaceFormat) -> Option<Params> {
-    for k in 0..2 {
-        params.clear_min[k] = clear.min[k].max(0);
-        params.clear_max[k] = clear.max[k].min(params.size[k] as i32);
-        if params.clear_min[k] >= params.clear_max[k] {
-            return None;
-        }
-    }
-    if clear.color_mask & 15 != 0 {
-        let words = format.color.words();
-        formats::pack(format.color, clear.color, &mut params.clear_color[..words]);
-        formats::mask(format.color, mask_bits(clear.color_mask), &mut params.clear_mask[..words]);
-    }
-    if let (Some(depth), true) = (clear.depth, format.depth != DepthFormat::None) {
-        params.clear_depth |= format.depth.word(depth);
-        params.clear_depth_mask |= format.depth.mask();
-    }
-    if let (Some((stencil, writes)), true) = (clear.stencil, format.stencil) {
-        params.clear_depth |= ((stencil & writes) as u32) << 24;
-        params.clear_depth_mask |= (writes as u32) << 24;
-    }
-    (params.clear_mask != [0; 4] || params.clear_depth_mask != 0).then_some(params)
-}
-
-/// Tells the first segment behind clears of the whole surface what they left. Where `absorbs`, such a segment writes every pixel anyway and
-/// does the clears itself: should it fail, the batch goes on at the first of them.
-fn mark_fresh(actions: &mut [(Place, Action)], format: SurfaceFormat, absorbs: bool) {
-    let wanted = format.depth.mask() | if format.stencil { u32::MAX } else { 0 };
-    let mut known = Params::default();
-    // Clears since the last segment, as long as all of them are whole.
-    let mut whole_clears: Vec<usize> = Vec::new();
-    for k in 0..actions.len() {
-        let params = match &mut actions[k].1 {
-            Action::Clear(clear) => {
-                let all = clear.clear_min == [0; 2] && clear.clear_max == clear.size.map(|s| s as i32);
-                let color = clear.clear_mask[..format.color.words()].iter().all(|&m| m == u32::MAX);
-                let depth = clear.clear_depth_mask & wanted == wanted;
-                let [writes_color, writes_depth] = [clear.clear_mask != [0; 4], clear.clear_depth_mask != 0];
-                if writes_color {
-                    known.fresh = known.fresh & !fresh::COLOR | if all && color { fresh::COLOR } else { 0 };
-                    known.clear_color = clear.clear_color;
-                }
-                if writes_depth {
-                    known.fresh = known.fresh & !fresh::DEPTH | if all && depth { fresh::DEPTH } else { 0 };
-                    known.clear_depth = clear.clear_depth;
-                }
-                if all && (color || !writes_color) && (depth || !writes_depth) {
-                    whole_clears.push(k);
-                } else {
-                    whole_clears.clear();
-                }
-                continue;
-            }
-            Action::Draw(draw) => &mut draw.params,
-            Action::Visible(visible) => &mut visible.params,
-            Action::Front(..) | Action::Absorbed => continue,
-        };
-        (params.fresh, params.clear_color, params.clear_depth) = (known.fresh, known.clear_color, known.clear_depth);
-        known.fresh = 0;
-        if let (Some(&first), true) = (whole_clears.first(), absorbs) {
-            params.fresh |= fresh::CLEARS;
-            let place = actions[first].0;
-            actions[first..=k].iter_mut().for_each(|action| action.0 = place);
-            whole_clears.iter().for_each(|&clear| actions[clear].1 = Action::Absorbed);
-        }
-        whole_clears.clear();
     }
 }
 
@@ -354,7 +284,7 @@ impl Planner<'_> {
             close(&mut plan, &mut open, end);
             start = end;
         }
-        mark_fresh(&mut plan.actions, format, false);
+        absorb_clears(&mut plan.actions, format, false);
         plan
     }
 
@@ -427,7 +357,7 @@ impl Planner<'_> {
             }
         }
         slices.close(&mut plan);
-        mark_fresh(&mut plan.actions, self.format, self.shape.vectors());
+        absorb_clears(&mut plan.actions, self.format, self.shape.vectors());
         (plan, slices.tables)
     }
 }

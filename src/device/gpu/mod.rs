@@ -2,6 +2,7 @@
 
 mod adapter;
 mod buffers;
+mod clears;
 mod encode;
 mod execute;
 mod fill;

@@ -145,7 +145,7 @@ fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)
     let mut open: Vec<bool> = Vec::new();
     let mut lines = source.lines();
     while let Some(line) = lines.next() {
-        let mut words = line.trim_start().split_whitespace();
+        let mut words = line.split_whitespace();
         match words.next() {
             Some("//#if") => {
                 let flag = words.next().unwrap_or_default();

@@ -158,7 +158,6 @@ impl Context {
         self.attach_checked(checked, "glFramebufferTextureLayer");
     }
 
-    #[allow(clippy::too_many_arguments)]
     fn framebuffer_texture(
         &mut self,
         dimensions: usize,

@@ -110,7 +110,7 @@ fn indices_and_depths_survive_a_round_trip() {
     for store in [PixelStore::default(), PixelStore { lsb_first: true, skip_pixels: 5, swap_bytes: true, ..PixelStore::default() }] {
         for ty in PLAIN_TYPES.into_iter().chain([GL_BITMAP]) {
             let mask = if ty == GL_BITMAP { 1 } else { 0x7f };
-            let values: Vec<u32> = (0..77u32).map(|i| i * 29 & mask).collect();
+            let values: Vec<u32> = (0..77u32).map(|i| (i * 29) & mask).collect();
             let end = store.layout([11, 7, 1], false, GL_STENCIL_INDEX, ty).unwrap().end;
             let mut bytes = vec![0; end];
             pack(&store, &mut bytes, [11, 7, 1], false, GL_STENCIL_INDEX, ty, &Groups::Index(values.clone()));

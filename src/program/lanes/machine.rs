@@ -94,7 +94,6 @@ impl Machine {
         self.run(program, env, inputs, std::slice::from_mut(color), depth, keep, groups);
     }
 
-    #[allow(clippy::too_many_arguments)]
     fn run(
         &mut self,
         program: &Program,

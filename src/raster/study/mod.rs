@@ -142,7 +142,6 @@ fn depth_tested(batch: &Batch) -> Result<bool, String> {
 }
 
 /// The shipped stages up to set-up, and bin lists where they are wanted.
-#[allow(clippy::too_many_arguments)]
 fn front(
     batch: &Batch,
     shaded: &mut Vec<[f32; 4]>,
