@@ -726,7 +726,7 @@ fn clear_by_copy(
             .enumerate()
     {
         if on {
-            fills[k].prepare(&gpu.device, &gpu.queue, pattern, words);
+            fills[k].prepare(&gpu.device, &gpu.queue, pattern);
             fills[k].copy(encoder, buffers[k], words);
         }
     }
