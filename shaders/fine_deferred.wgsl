@@ -32,7 +32,8 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     state.flags = 0xffffffffu;
     state.depth_func = TP_DEPTH_FUNC;
 //#each $ 8
-    let at_$ = min(origin.y + $u, size.y - 1u) * size.x + min(px, size.x - 1u);
+    let at_$ = (origin.y + $u) * size.x + px;
+    let y_$ = f32(i32(origin.y) + $);
     tp_owners[$] = TP_NO_ENTRY;
 //#end
     // What a clear has written is the same in all rows: one round is enough.
@@ -58,7 +59,7 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#each $ 8
         {
             const row = $;
-            let y = f32(i32(origin.y) + row);
+            let y = y_$;
             var inside = (e.x | e.y | e.z) >= 0;
 //#if CUT
             inside = inside && in_columns && row >= low && row <= high;
