@@ -31,9 +31,9 @@ impl GpuPlane {
     /// Of zeros.
     pub fn plane(gpu: &'static Gpu, size: [u32; 2], samples: u32, format: PlaneFormat) -> SharedPlane {
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
-        // Where there is one memory, pixels are read where they lie.
+        // Where there is one memory, pixels are read and cleared where they lie.
         let mappable = gpu.device.features().contains(wgpu::Features::MAPPABLE_PRIMARY_BUFFERS);
-        let usage = if mappable { usage | wgpu::BufferUsages::MAP_READ } else { usage };
+        let usage = if mappable { usage | wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::MAP_WRITE } else { usage };
         let bytes = size[0] as u64 * size[1] as u64 * samples as u64 * format.words() as u64 * 4;
         let label = if matches!(format, PlaneFormat::Color(_)) { "colour" } else { "depth" };
         let buffer = create(&gpu.device, label, usage, bytes);
