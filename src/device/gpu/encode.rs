@@ -309,7 +309,7 @@ impl Planner<'_> {
                         return plan.set_up_visible(place, segment, triangles, &tiles, first, base);
                     }
                 }
-                if segment.key.unrolls(self.shape) && tall * 2 >= all {
+                if segment.key.unrolls(self.shape, program) && tall * 2 >= all {
                     segment.key.features |= feature::TALL;
                 }
                 let (count, record) = ((end - first) as u32, plan.segments.len());

@@ -139,8 +139,7 @@ impl FineKey {
             | feature::MIXED_INTERPOLATION
             | feature::CUT
             | feature::DEPTH_RANGE
-            | feature::OFFSET
-            | feature::TALL;
+            | feature::OFFSET;
         let same_test = self.depth_func.is_some() && self.samples == 1;
         self.features & wanted == wanted && self.features & !allowed == 0 && same_test && !program.discards && !program.writes_depth
     }
@@ -150,9 +149,9 @@ impl FineKey {
         !shape.vectors() && self.features & feature::DEPTH_RANGE == 0 && self.is_opaque(program)
     }
 
-    /// Whether a kernel may have a text for each row of a tile. With textures that would be long.
-    pub fn unrolls(&self, shape: Shape) -> bool {
-        !shape.vectors() && self.samples == 1 && self.textures.is_empty()
+    /// Whether a kernel may have a text for each row of a tile. With textures that would be long; a deferred one shades rows by one text.
+    pub fn unrolls(&self, shape: Shape, program: &Program) -> bool {
+        !shape.vectors() && self.samples == 1 && self.textures.is_empty() && !self.is_deferred(shape, program)
     }
 
     /// The shape that serves the key: on a GPU, a lane that holds many samples has room for one pixel only.
