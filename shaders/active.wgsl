@@ -12,15 +12,28 @@ fn tp_claim(count: u32) -> u32 {
     return at;
 }
 
+// A word of the lists that all lanes want.
+fn tp_list(at: u32, tile: u32) -> u32 {
+//#if SUBGROUP8
+    var word = 0u;
+    if ((tile & 7u) == 0u) {
+        word = atomicLoad(&tp_lists[at]);
+    }
+    return subgroupBroadcast(word, 0u);
+//#else
+    return atomicLoad(&tp_lists[at]);
+//#endif
+}
+
 @compute @workgroup_size(64)
 fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) tile: u32) {
     let slot = group.x + group.y * 32768u;
-    if (slot >= atomicLoad(&tp_lists[1])) {
+    if (slot >= tp_list(1u, tile)) {
         return;
     }
-    let bin = atomicLoad(&tp_lists[tp.active_base + slot]);
-    let first = atomicLoad(&tp_lists[tp.bin_base + bin * 2u]);
-    var blocks = (atomicLoad(&tp_lists[tp.bin_base + bin * 2u + 1u]) + 31u) / 32u;
+    let bin = tp_list(tp.active_base + slot, tile);
+    let first = tp_list(tp.bin_base + bin * 2u, tile);
+    var blocks = (tp_list(tp.bin_base + bin * 2u + 1u, tile) + 31u) / 32u;
 //#if ROUNDS
     // Of the first round.
     blocks = min(blocks, TP_ROUND_BLOCKS);

@@ -35,8 +35,12 @@ fn tp_edge_floor(a: i32, b: i32, c: i32, d: i32, bias: u32, shift: u32) -> i32 {
 // The integer nearest to x, the even one of two, for 0 <= x < 2^24. Sums run at full speed where conversions do not: adding 2^23 rounds to an
 // integer and leaves it in the low bits; from 2^23 on every float is one.
 fn tp_round(x: f32) -> u32 {
+//#if FUSES
     let small = x < 8388608.0;
     return bitcast<u32>(select(x, x + 8388608.0, small)) - select(0x4a800000u, 0x4b000000u, small);
+//#else
+    return u32(i32(round(x)));
+//#endif
 }
 
 // Bits 4 to 7 of a * b - c * d - bias.

@@ -3,18 +3,10 @@
 // does every lane's access to an array whose index is not constant. Hence: one lane loads what all want, or each lane a word that is broadcast
 // (SUBGROUP8); the words of a draw stay until the draw changes; rows are selected from variables, not indexed (one sample a pixel).
 
-const TP_ROWS = 8;
-
 // A pixel's samples one after the other.
 var<private> tp_pixels: array<TpPixel, TP_ROWS * i32(TP_SAMPLES)>;
 //#if DEPTH_BUFFER
 var<private> tp_depths: array<u32, TP_ROWS * i32(TP_SAMPLES)>;
-//#endif
-
-//#if SUBGROUP8
-// What was loaded of a draw, and of which one.
-var<private> tp_kept: array<u32, 32>;
-var<private> tp_kept_key: u32 = 0xffffffffu;
 //#endif
 
 //#if SELECTS_ROW
@@ -51,65 +43,9 @@ fn tp_keep(r: i32, covered: bool, depth_word: u32, colored: bool, pixel: TpPixel
 }
 //#endif
 
-// A word of the lists that all lanes want.
-fn tp_list(at: u32, lane: u32) -> u32 {
-//#if SUBGROUP8
-    var pair = 0lu;
-    if (lane == 0u) {
-        pair = tp_lists[at >> 1u] >> ((at & 1u) * 32u);
-    }
-    return subgroupBroadcast(u32(pair & 0xfffffffflu), 0u);
-//#else
-    return tp_lists[at];
-//#endif
-}
-
 @compute @workgroup_size(8 * TP_TEAMS)
 fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) index_in_group: u32) {
-    let lane = index_in_group & 7u;
-    let slot = (group.x + group.y * 32768u) * TP_TEAMS + index_in_group / 8u;
-    if (slot >= tp_list(2u, lane)) {
-        return;
-    }
-    // Of the parameters once: each look costs.
-    let size = tp.size;
-    let bins_x = tp.bins.x;
-    let entry_base = tp.entry_base;
-    let draws = tp.draws;
-    var fresh = tp.fresh;
-    let work = tp_list(tp.work_base + slot, lane);
-    let bin = work >> 6u;
-    let tile = work & 63u;
-    let origin = vec2<u32>((bin % bins_x) * 64u + (tile & 7u) * 8u, (bin / bins_x) * 64u + (tile >> 3u) * 8u);
-    let first_block = tp_list(tp.bin_base + bin * 2u, lane);
-    var blocks = (tp_list(tp.bin_base + bin * 2u + 1u, lane) + 31u) / 32u;
-    var start = 0u;
-//#if ROUNDS
-    // A part of the list: the driver ends a workgroup's loops, all together, after some ten thousand iterations.
-    start = tp_list(3u, lane);
-    blocks = min(blocks, start + TP_ROUND_BLOCKS);
-    fresh = select(0u, fresh, start == 0u);
-//#endif
-    let masks = tp.tile_base + first_block * 64u + tile;
-    // The first triangle.
-    var block = start;
-    var bits = 0u;
-    loop {
-        bits = tp_list(masks + block * 64u, lane);
-        continuing {
-            block++;
-            break if bits != 0u || block >= blocks;
-        }
-    }
-    if (bits == 0u) {
-        return;
-    }
-
-    let column = lane;
-    let px = origin.x + column;
-    let column_x = f32(i32(px));
-    let local_x = i32((tile & 7u) * 8u + column);
-    let local_top = i32((tile >> 3u) * 8u);
+    //#include column_start
     // From a sample to the next one of the same pixel.
     let plane = size.x * size.y;
     // Rows whose depth or stencil, and rows whose colour has changed.
@@ -145,21 +81,9 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#end
 //#endif
 
-    var entry = first_block * 32u + (block - 1u) * 32u + countTrailingZeros(bits);
-    var more = true;
     loop {
         //#load te tp_lists entry_base + entry * TP_ENTRY_WORDS
-        // To the next triangle of this tile.
-        bits &= bits - 1u;
-        loop {
-            if (bits != 0u || block >= blocks) {
-                break;
-            }
-            bits = tp_list(masks + block * 64u, lane);
-            block++;
-        }
-        more = bits != 0u;
-        entry = (first_block + block - 1u) * 32u + countTrailingZeros(bits);
+        //#include column_next
         let draw_and_flags = WORD(te, 11);
         let flags = draw_and_flags >> 24u;
         // The draw's states.

@@ -83,6 +83,19 @@ fn tp_entry(base: u32, at: u32, origin: vec2<i32>) -> vec2<u32> {
     return mask;
 }
 
+// A word of the lists that all lanes want.
+fn tp_list(at: u32, lane: u32) -> u32 {
+//#if SUBGROUP8
+    var word = 0u;
+    if (lane == 0u) {
+        word = tp_lists[at];
+    }
+    return subgroupBroadcast(word, 0u);
+//#else
+    return tp_lists[at];
+//#endif
+}
+
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) index_in_group: u32) {
 //#if SUBGROUP8
@@ -103,15 +116,15 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
             break;
         }
         let middle = (low + high + 1u) / 2u;
-        if (tp_lists[tp.bin_base + middle * 2u] <= block) {
+        if (tp_list(tp.bin_base + middle * 2u, lane) <= block) {
             low = middle;
         } else {
             high = middle - 1u;
         }
     }
     let bin = low;
-    let start = tp_lists[tp.bin_base + bin * 2u];
-    let count = tp_lists[tp.bin_base + bin * 2u + 1u] - (block - start) * 32u;
+    let start = tp_list(tp.bin_base + bin * 2u, lane);
+    let count = tp_list(tp.bin_base + bin * 2u + 1u, lane) - (block - start) * 32u;
     let origin = vec2<i32>(vec2<u32>(bin % tp.bins.x, bin / tp.bins.x) * 64u);
 //#if SUBGROUP8
     // A subgroup of eight lanes: each hands its masks to all, and each lane keeps its column of tiles. Byte r of a word holds the bits

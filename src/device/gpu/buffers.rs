@@ -43,16 +43,7 @@ impl Growing {
             }
             return;
         }
-        let place = self.buffer.slice(..size as u64);
-        place.map_async(wgpu::MapMode::Write, |_| {});
-        if let Err(e) = device.poll(wgpu::PollType::wait_indefinitely()) {
-            log::error!(target: "tepui::gpu", "waiting for the GPU: {e}");
-        }
-        match place.get_mapped_range_mut() {
-            Ok(mut view) => write(view.slice(..)),
-            Err(e) => log::error!(target: "tepui::gpu", "writing {}: {e}", self.label),
-        }
-        self.buffer.unmap();
+        write_mapped(device, &self.buffer, size as u64, write);
     }
 
     /// What it is called.
@@ -64,6 +55,20 @@ impl Growing {
     pub fn get(&self) -> &wgpu::Buffer {
         &self.buffer
     }
+}
+
+/// Writes the first bytes of a buffer in place, when the device has done with it.
+pub fn write_mapped(device: &wgpu::Device, buffer: &wgpu::Buffer, bytes: u64, write: impl FnOnce(wgpu::WriteOnly<[u8]>)) {
+    let place = buffer.slice(..bytes);
+    place.map_async(wgpu::MapMode::Write, |_| {});
+    if let Err(e) = device.poll(wgpu::PollType::wait_indefinitely()) {
+        log::error!(target: "tepui::gpu", "waiting for the GPU: {e}");
+    }
+    match place.get_mapped_range_mut() {
+        Ok(mut view) => write(view.slice(..)),
+        Err(e) => log::error!(target: "tepui::gpu", "writing a buffer: {e}"),
+    }
+    buffer.unmap();
 }
 
 /// A buffer of zeros.

@@ -230,8 +230,7 @@ impl Planner<'_> {
                 let triangles = &front.triangles[first..end];
                 let program = &batch.draws[segment.draw as usize].fragment_program;
                 let count = triangles.len() as u64;
-                let most = self.visible_pixels.saturating_mul(if segment.key.textures.is_empty() { 1 } else { 2 });
-                let small = pixels <= most.saturating_mul(count);
+                let small = pixels <= self.visible_pixels.saturating_mul(count);
                 if self.keys_from(triangles.len()) && self.shape.host_front && small && visible::serves_set_up(&segment.key, program) {
                     let tiles = visible::touched(triangles, self.size.map(|s| s.div_ceil(8)));
                     if tiles.len() as u64 * 64 <= self.visible_area.saturating_mul(count) {
@@ -240,7 +239,7 @@ impl Planner<'_> {
                         return plan.set_up_visible(place, segment, triangles, &tiles, first, base);
                     }
                 }
-                if segment.key.unrolls(self.shape) && tall * 2 >= all {
+                if segment.key.unrolls(self.shape, program) && tall * 2 >= all {
                     segment.key.features |= feature::TALL;
                 }
                 let (count, record) = ((end - first) as u32, plan.segments.len());
@@ -448,7 +447,8 @@ pub fn place_lists(action: &mut DrawAction, mask_capacity: u32) -> u32 {
     let bins = params.bins[0] * params.bins[1];
     params.mask_base = LIST_HEAD;
     params.count_base = LIST_HEAD + mask_capacity;
-    params.bin_base = params.count_base + bins * supers;
+    // The fine stage loads a list's two words as one.
+    params.bin_base = (params.count_base + bins * supers).next_multiple_of(2);
     params.active_base = params.bin_base + bins * 2;
     params.work_base = params.active_base + bins;
     params.list_base = params.work_base + bins * 64;

@@ -7,7 +7,7 @@ use bytemuck::{bytes_of, cast_slice};
 use super::adapter::Gpu;
 use super::buffers::{Growing, create};
 use super::encode::{Action, DrawAction, Place, Plan, Planner, VisibleAction, place_lists};
-use super::fill::Fill;
+use super::fill::fill;
 use super::fine::feature;
 use super::front::FrontRecords;
 use super::host_front::HostFront;
@@ -124,7 +124,6 @@ pub struct Executor {
     format: SurfaceFormat,
     room: Room,
     heap: Heap,
-    fills: [Fill; 2],
     host_front: HostFront,
     bound: Option<Bound>,
     pending: Option<Pending>,
@@ -151,7 +150,6 @@ impl Executor {
             room: Room::new(kernels.config.buffer_limit, bins_of(size)),
             heap: Heap::new(device, kernels.config.shape),
             kernels,
-            fills: [Fill::new(device), Fill::new(device)],
             host_front: HostFront::default(),
             bound: None,
             pending: None,
@@ -426,7 +424,7 @@ impl Executor {
         encoder.clear_buffer(b.indirect.get(), indirect::FAILED as u64 * 4, Some(status));
         let mut first_action = 0;
         if let (Some((_, Action::Clear(p))), true) = (prepared.plan.actions.first(), !self.kernels.config.shape.vectors()) {
-            first_action = clear_by_copy(&mut self.fills, self.gpu, &mut encoder, p, self.format, [&b.color, &b.depth]) as usize;
+            first_action = clear_by_host(self.gpu, p, self.format, [&b.color, &b.depth]) as usize;
         }
         {
             let pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
@@ -698,32 +696,20 @@ impl Dispatcher<'_> {
     }
 }
 
-/// Clears all of a surface by copies; false where the clear is not of that kind.
-fn clear_by_copy(
-    fills: &mut [Fill; 2],
-    gpu: &Gpu,
-    encoder: &mut wgpu::CommandEncoder,
-    p: &Params,
-    format: SurfaceFormat,
-    buffers: [&wgpu::Buffer; 2],
-) -> bool {
+/// Clears all of a surface from the host; false where the clear is not of that kind or the host cannot.
+fn clear_by_host(gpu: &Gpu, p: &Params, format: SurfaceFormat, [color, depth]: [&wgpu::Buffer; 2]) -> bool {
     let words = format.color.words();
-    let pixels_of = p.size[0] as usize * p.size[1] as usize * format.samples as usize;
     let used = if format.stencil { !0 } else { format.depth.mask() };
-    let (color, depth) = (p.clear_mask != [0; 4], p.clear_depth_mask != 0);
+    let (clears_color, clears_depth) = (p.clear_mask != [0; 4], p.clear_depth_mask != 0);
     let whole = p.clear_min == [0; 2] && p.clear_max == p.size.map(|s| s as i32);
-    if !whole || color && p.clear_mask[..words] != [!0; 4][..words] || depth && p.clear_depth_mask & used != used {
+    if !whole || clears_color && p.clear_mask[..words] != [!0; 4][..words] || clears_depth && p.clear_depth_mask & used != used {
         return false;
     }
-    for (k, (on, pattern, words)) in
-        [(color, &p.clear_color[..words], pixels_of * words), (depth, std::slice::from_ref(&p.clear_depth), pixels_of)]
-            .into_iter()
-            .enumerate()
-    {
-        if on {
-            fills[k].prepare(&gpu.device, &gpu.queue, pattern, words);
-            fills[k].copy(encoder, buffers[k], words);
-        }
+    let wanted = [(clears_color, color, &p.clear_color[..words]), (clears_depth, depth, std::slice::from_ref(&p.clear_depth))];
+    let wanted = wanted.into_iter().filter(|w| w.0);
+    if wanted.clone().any(|(_, buffer, _)| !buffer.usage().contains(wgpu::BufferUsages::MAP_WRITE)) {
+        return false;
     }
+    wanted.for_each(|(_, buffer, pattern)| fill(gpu, buffer, pattern));
     true
 }

@@ -1,32 +1,25 @@
-//! Clears of a whole surface as copies: on a software driver a copy runs at the speed of memory, a kernel does not.
+//! Clears of a whole surface by the host: where it shares its memory with the device, its threads write at the speed of memory, a kernel does not.
 
-use super::buffers::Growing;
+use bytemuck::cast_slice;
+use rayon::prelude::*;
+use wgpu::WriteOnly;
 
-/// A buffer that holds one pixel over and over.
-pub struct Fill {
-    buffer: Growing,
-    pattern: Vec<u32>,
-    words: usize,
-}
+use super::adapter::Gpu;
+use super::buffers::write_mapped;
 
-impl Fill {
-    /// Nothing yet.
-    pub fn new(device: &wgpu::Device) -> Fill {
-        Fill { buffer: Growing::new(device, "fill", wgpu::BufferUsages::COPY_SRC), pattern: Vec::new(), words: 0 }
-    }
+/// Bytes that a thread writes at a time: few enough that what is copied stays in its cache.
+const BLOCK: usize = 1 << 16;
 
-    /// Makes it hold `words` words of a pattern.
-    pub fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, pattern: &[u32], words: usize) {
-        if self.pattern != pattern || self.words < words {
-            let all: Vec<u32> = pattern.iter().copied().cycle().take(words).collect();
-            self.buffer.upload(device, queue, bytemuck::cast_slice(&all));
-            self.pattern = pattern.to_vec();
-            self.words = words;
-        }
-    }
-
-    /// Copies it over a buffer.
-    pub fn copy(&self, encoder: &mut wgpu::CommandEncoder, to: &wgpu::Buffer, words: usize) {
-        encoder.copy_buffer_to_buffer(self.buffer.get(), 0, to, 0, words as u64 * 4);
-    }
+/// Fills a buffer that can be mapped with a pattern of 1, 2 or 4 words, when the device has done with it.
+pub fn fill(gpu: &Gpu, buffer: &wgpu::Buffer, pattern: &[u32]) {
+    let block: Vec<u32> = pattern.iter().copied().cycle().take(BLOCK / 4).collect();
+    let block: &[u8] = cast_slice(&block);
+    // What is still to be uploaded comes before it.
+    gpu.queue.submit([]);
+    write_mapped(&gpu.device, buffer, buffer.size(), |to| {
+        let (blocks, mut rest) = to.into_chunks::<BLOCK>();
+        let blocks: Vec<_> = blocks.into_iter().collect();
+        blocks.into_par_iter().for_each(|to| WriteOnly::<[u8]>::from(to).copy_from_slice(block));
+        rest.copy_from_slice(&block[..rest.len()]);
+    });
 }

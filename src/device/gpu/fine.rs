@@ -105,19 +105,53 @@ impl FineKey {
     /// The text of a fine kernel.
     pub fn source(&self, shape: Shape, program: &Program, constants: &str) -> String {
         let shape = self.shape(shape);
-        let (options, extra) = self.options(shape, program, Planes::Loaded);
+        let (mut options, extra) = self.options(shape, program, Planes::Loaded);
+        let deferred = self.is_deferred(shape, program);
+        if deferred {
+            // Depth comes first, and the rest later.
+            let of = |features: u32| glue(program, &FineKey { features: self.features & features, ..self.clone() }, shape, Planes::Loaded);
+            let (depth, color) = (of(feature::DEPTH_TEST | feature::OFFSET), of(!feature::DEPTH_TEST));
+            options.inserts.insert("DEPTH_PLANES", depth.planes);
+            options.inserts.insert("DEPTH", depth.depth);
+            options.inserts.insert("PLANES", color.planes);
+            options.inserts.insert("SHADE", color.depth + &color.shade);
+        }
         let mut source = format!("const TP_LANES = {}u;\nconst TP_TEAMS = {}u;\n{extra}{constants}", shape.fine_lanes, shape.teams());
         for file in [files::COMMON, files::ARITHMETIC] {
             expand(file, &options, &mut source);
         }
         self.shading(&options, program, &mut source);
-        expand(if shape.vectors() { files::FINE } else { files::FINE_COLUMN }, &options, &mut source);
+        if shape.vectors() {
+            expand(files::FINE, &options, &mut source);
+        } else {
+            expand(files::COLUMN, &options, &mut source);
+            expand(if deferred { files::FINE_DEFERRED } else { files::FINE_COLUMN }, &options, &mut source);
+        }
         source
     }
 
-    /// Whether a kernel may have a text for each row of a tile. With textures that would be long.
-    pub fn unrolls(&self, shape: Shape) -> bool {
-        !shape.vectors() && self.samples == 1 && self.textures.is_empty()
+    /// Whether of a pixel's fragments only the last that passes the depth test is seen, and depth alone decides which that is.
+    pub fn is_opaque(&self, program: &Program) -> bool {
+        let wanted = feature::DEPTH_TEST | feature::DEPTH_WRITE | feature::COLOR_WRITE | feature::SHADES;
+        let allowed = wanted
+            | feature::DEPTH_BUFFER
+            | feature::PERSPECTIVE
+            | feature::MIXED_INTERPOLATION
+            | feature::CUT
+            | feature::DEPTH_RANGE
+            | feature::OFFSET;
+        let same_test = self.depth_func.is_some() && self.samples == 1;
+        self.features & wanted == wanted && self.features & !allowed == 0 && same_test && !program.discards && !program.writes_depth
+    }
+
+    /// Whether the kernel is that of `shaders/fine_deferred.wgsl`.
+    fn is_deferred(&self, shape: Shape, program: &Program) -> bool {
+        !shape.vectors() && self.features & feature::DEPTH_RANGE == 0 && self.is_opaque(program)
+    }
+
+    /// Whether a kernel may have a text for each row of a tile. With textures that would be long; a deferred one shades rows by one text.
+    pub fn unrolls(&self, shape: Shape, program: &Program) -> bool {
+        !shape.vectors() && self.samples == 1 && self.textures.is_empty() && !self.is_deferred(shape, program)
     }
 
     /// The shape that serves the key: on a GPU, a lane that holds many samples has room for one pixel only.

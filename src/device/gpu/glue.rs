@@ -94,23 +94,25 @@ pub fn glue(program: &Program, key: &FineKey, shape: Shape, source: Planes) -> G
             let _ = writeln!(glue.planes, "let p{w} = bitcast<f32>(u32((pp{} >> {shift}u) & 0xfffffffflu));", w / 2);
         }
     } else if shape.subgroup8 {
-        // Two words a lane, and of sixteen only what is wanted, because each lane's load takes its time.
-        let mut groups: Vec<u32> = words.iter().map(|w| w / 16).collect();
-        groups.dedup();
-        for g in groups {
-            let wanted = words.iter().filter(|&w| w / 16 == g).fold(0u32, |mask, w| mask | 1 << (w % 16 / 2));
+        // Two words a lane, and only what is wanted, because each lane's load takes its time.
+        let mut pairs: Vec<u32> = words.iter().map(|w| w / 2).collect();
+        pairs.dedup();
+        // A lane's distance from the first pair of its group has four bits of a constant.
+        let groups: Vec<&[u32]> = pairs.chunk_by(|a, b| a / 16 == b / 16).flat_map(|near| near.chunks(8)).collect();
+        for (g, group) in groups.iter().enumerate() {
+            let distances = (0..).zip(*group).fold(0u32, |all, (lane, pair)| all | (pair - group[0]) << (lane * 4));
+            let (lanes, first) = (group.len(), group[0]);
             let _ = writeln!(
                 glue.planes,
                 "var pg{g} = 0lu;
-if ((({wanted}u >> column) & 1u) != 0u) {{ pg{g} = tp_planes[(planes >> 1u) + {}u + column]; }}
+if (column < {lanes}u) {{ pg{g} = tp_planes[(planes >> 1u) + {first}u + (({distances}u >> (column * 4u)) & 15u)]; }}
 let pg{g}_low = bitcast<f32>(u32(pg{g} & 0xfffffffflu));
-let pg{g}_high = bitcast<f32>(u32(pg{g} >> 32u));",
-                g * 8
+let pg{g}_high = bitcast<f32>(u32(pg{g} >> 32u));"
             );
-        }
-        for w in &words {
-            let _ =
-                writeln!(glue.planes, "let p{w} = subgroupBroadcast(pg{}_{}, {}u);", w / 16, ["low", "high"][*w as usize % 2], w % 16 / 2);
+            for w in words.iter().filter(|&w| group.contains(&(w / 2))) {
+                let (half, lane) = (["low", "high"][*w as usize % 2], group.partition_point(|pair| *pair < w / 2));
+                let _ = writeln!(glue.planes, "let p{w} = subgroupBroadcast(pg{g}_{half}, {lane}u);");
+            }
         }
     } else if shape.vectors() {
         let mut vectors: Vec<u32> = words.iter().map(|w| w / 4).collect();

@@ -94,12 +94,20 @@ pub mod files {
     pub const STATE: File = File { name: "state.wgsl", text: include_str!("../../../shaders/state.wgsl") };
     pub const RESOLVE_STATE: File = File { name: "resolve_state.wgsl", text: include_str!("../../../shaders/resolve_state.wgsl") };
     pub const FINE: File = File { name: "fine.wgsl", text: include_str!("../../../shaders/fine.wgsl") };
+    pub const COLUMN: File = File { name: "column.wgsl", text: include_str!("../../../shaders/column.wgsl") };
+    pub const COLUMN_START: File = File { name: "column_start.wgsl", text: include_str!("../../../shaders/column_start.wgsl") };
+    pub const COLUMN_NEXT: File = File { name: "column_next.wgsl", text: include_str!("../../../shaders/column_next.wgsl") };
     pub const FINE_COLUMN: File = File { name: "fine_column.wgsl", text: include_str!("../../../shaders/fine_column.wgsl") };
+    pub const FINE_DEFERRED: File = File { name: "fine_deferred.wgsl", text: include_str!("../../../shaders/fine_deferred.wgsl") };
+    pub const EDGES: File = File { name: "edges.wgsl", text: include_str!("../../../shaders/edges.wgsl") };
     pub const ENTRY: File = File { name: "entry.wgsl", text: include_str!("../../../shaders/entry.wgsl") };
     pub const FRAGMENT: File = File { name: "fragment.wgsl", text: include_str!("../../../shaders/fragment.wgsl") };
     pub const SAMPLES: File = File { name: "samples.wgsl", text: include_str!("../../../shaders/samples.wgsl") };
     pub const RESOLVE: File = File { name: "resolve.wgsl", text: include_str!("../../../shaders/resolve.wgsl") };
     pub const TEXTURE: File = File { name: "texture.wgsl", text: include_str!("../../../shaders/texture.wgsl") };
+
+    /// Parts of functions, for `//#include`.
+    pub const PARTS: [File; 8] = [COLUMN_START, COLUMN_NEXT, EDGES, ENTRY, FRAGMENT, SAMPLES, STATE, RESOLVE_STATE];
 }
 
 /// Reads the `//#` lines of a source.
@@ -190,9 +198,7 @@ fn expand_with(source: &str, options: &Options, loads: &mut Vec<(String, String)
             }
             Some("//#include") if open.iter().all(|&o| o) => {
                 let name = words.next().unwrap_or_default();
-                let file = [files::ENTRY, files::FRAGMENT, files::SAMPLES, files::STATE, files::RESOLVE_STATE]
-                    .into_iter()
-                    .find(|f| f.name.strip_suffix(".wgsl") == Some(name));
+                let file = files::PARTS.into_iter().find(|f| f.name.strip_suffix(".wgsl") == Some(name));
                 expand_with(&file.expect("//#include names a file").read(), options, loads, out);
             }
             Some("//#insert") if open.iter().all(|&o| o) => {

@@ -4,6 +4,7 @@ use std::any::Any;
 use std::sync::Arc;
 
 use bytemuck::cast_slice;
+use rayon::prelude::*;
 
 use super::adapter::Gpu;
 use super::buffers::create;
@@ -11,9 +12,12 @@ use super::execute::{Buffers, Executor};
 use super::kernels::Kernels;
 use super::profile::StageTime;
 use crate::device::plane::{self, Resolved, Storage};
-use crate::device::{Plane, PlaneFormat, SharedPlane, Surface, Target};
+use crate::device::{Plane, PlaneFormat, SharedPlane, Surface, Target, lines};
 use crate::draw::Batch;
 use crate::draw::clears::complete_stencil;
+
+/// Rows that a thread copies at least.
+const COPIED_ROWS: usize = 256;
 
 /// A plane's pixels on the GPU: rows, sample by sample.
 pub struct GpuPlane {
@@ -27,9 +31,9 @@ impl GpuPlane {
     /// Of zeros.
     pub fn plane(gpu: &'static Gpu, size: [u32; 2], samples: u32, format: PlaneFormat) -> SharedPlane {
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
-        // Where there is one memory, pixels are read where they lie.
+        // Where there is one memory, pixels are read and cleared where they lie.
         let mappable = gpu.device.features().contains(wgpu::Features::MAPPABLE_PRIMARY_BUFFERS);
-        let usage = if mappable { usage | wgpu::BufferUsages::MAP_READ } else { usage };
+        let usage = if mappable { usage | wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::MAP_WRITE } else { usage };
         let bytes = size[0] as u64 * size[1] as u64 * samples as u64 * format.words() as u64 * 4;
         let label = if matches!(format, PlaneFormat::Color(_)) { "colour" } else { "depth" };
         let buffer = create(&gpu.device, label, usage, bytes);
@@ -37,9 +41,9 @@ impl GpuPlane {
     }
 }
 
-impl Storage for GpuPlane {
-    fn read(&mut self, rows: &mut [u32]) {
-        let bytes = size_of_val(rows) as u64;
+impl GpuPlane {
+    /// Shows the pixels to `look`, as bytes, when all that was submitted is done.
+    fn look(&mut self, bytes: u64, look: impl FnOnce(&[u8])) {
         if bytes == 0 {
             return;
         }
@@ -63,10 +67,16 @@ impl Storage for GpuPlane {
             return;
         }
         match slice.get_mapped_range() {
-            Ok(bytes) => bytemuck::cast_slice_mut::<u32, u8>(rows).copy_from_slice(&bytes),
+            Ok(bytes) => look(&bytes),
             Err(e) => log::error!(target: "tepui::gpu", "reading pixels back: {e}"),
         }
         source.unmap();
+    }
+}
+
+impl Storage for GpuPlane {
+    fn read(&mut self, rows: &mut [u32]) {
+        self.look(size_of_val(rows) as u64, |bytes| bytemuck::cast_slice_mut::<u32, u8>(rows).copy_from_slice(bytes));
     }
 
     fn write(&mut self, rows: &[u32]) {
@@ -178,5 +188,17 @@ impl Surface for GpuSurface {
                 executor.resolve(&from, &to, size, format);
             }
         })
+    }
+
+    /// Straight from the device's memory.
+    fn copy_color(&mut self, out: &mut [u8], stride: usize, bottom_up: bool) {
+        let mut plane = plane::lock(self.resolved());
+        let (height, row_bytes) = (plane.size[1] as usize, plane.size[0] as usize * plane.format.words() * 4);
+        let lines = lines(out, stride, height, bottom_up);
+        let Some(storage) = plane.storage::<GpuPlane>() else { return };
+        storage.look((row_bytes * height) as u64, |bytes| {
+            let rows = bytes.par_chunks_exact(row_bytes).with_min_len(COPIED_ROWS);
+            lines.into_par_iter().zip(rows).for_each(|(line, row)| line[..row_bytes].copy_from_slice(row));
+        });
     }
 }

@@ -15,9 +15,9 @@ use crate::raster::layout::*;
 pub const WORTH_IT: u32 = 2048;
 /// Most pixels of the tiles that they touch for each triangle that the host has set up: the resolving kernel looks at all of them.
 pub const WORTH_IT_AREA: u64 = 32;
-/// Most pixels, on average, of the rectangles of such triangles: an atomic minimum costs more than a register. Twice as
-/// many where textures make shading dear, which keys do once a pixel.
-pub const WORTH_IT_PIXELS: u64 = 64;
+/// Most pixels, on average, of the rectangles of such triangles: an atomic minimum costs more than a register, and lists shade
+/// a pixel once too (`shaders/fine_deferred.wgsl`).
+pub const WORTH_IT_PIXELS: u64 = 48;
 /// Words of the queue's counters.
 const COUNTERS: u32 = 8;
 /// Most samples of a triangle that a lane looks at by itself, in how many columns or rows, and the length of its edges in 1/256 pixel:
@@ -30,21 +30,8 @@ pub const RESOLVE_LANES: u32 = 256;
 
 /// Whether the fragments of a segment with this key may be drawn in any order, only the nearest being shaded.
 pub fn serves(key: &FineKey, program: &Program) -> bool {
-    let wanted = feature::DEPTH_TEST | feature::DEPTH_WRITE | feature::COLOR_WRITE | feature::SHADES;
-    let allowed = wanted
-        | feature::DEPTH_BUFFER
-        | feature::PERSPECTIVE
-        | feature::MIXED_INTERPOLATION
-        | feature::CUT
-        | feature::DEPTH_RANGE
-        | feature::OFFSET;
-    key.features & wanted == wanted
-        && key.features & !allowed == 0
-        && matches!(key.depth_func, Some(compare::LESS | compare::LEQUAL))
-        // A key has room for 24 bits of depth.
-        && key.depth_bits <= 24
-        && !program.discards
-        && !program.writes_depth
+    // A key has room for 24 bits of depth.
+    key.is_opaque(program) && matches!(key.depth_func, Some(compare::LESS | compare::LEQUAL)) && key.depth_bits <= 24
 }
 
 /// Whether a draw is of filled triangles.
