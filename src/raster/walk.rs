@@ -119,6 +119,8 @@ pub struct Walk<S: Simd> {
     /// The row of tiles, and one past the last.
     row: i32,
     end: i32,
+    /// First and last row of samples in the row of tiles.
+    rows: [i32; 2],
     /// Tiles of the row that are still to come, a bit each.
     left: u32,
 }
@@ -130,7 +132,7 @@ impl<S: Simd> Walk<S> {
         let extent = Extent::new(plan, t, bin);
         let near = if looks { Some(Nearest::new(plan, t, planes, bin.origin)) } else { None };
         let rows = extent.tiles(extent.rows);
-        Walk { extent, near, row: rows.start - 1, end: rows.end, left: 0 }
+        Walk { extent, near, row: rows.start - 1, end: rows.end, rows: [0; 2], left: 0 }
     }
 
     /// The next tile.
@@ -141,6 +143,8 @@ impl<S: Simd> Walk<S> {
             if self.row >= self.end {
                 return None;
             }
+            let (first, last) = self.extent.rows;
+            self.rows = [(first - self.row * 8).max(0), (last - self.row * 8).min(7)];
             self.left = self.extent.tile_columns();
             if let Some(near) = &self.near {
                 self.left = hi_z.visible::<S>(plan, planes, near, self.left, self.row, bin);
@@ -148,8 +152,7 @@ impl<S: Simd> Walk<S> {
         }
         let column = self.left.trailing_zeros() as i32;
         self.left &= self.left - 1;
-        let (first, last) = self.extent.rows;
-        Some(Spot { tile: [column, self.row], rows: [(first - self.row * 8).max(0), (last - self.row * 8).min(7)] })
+        Some(Spot { tile: [column, self.row], rows: self.rows })
     }
 
     /// The pixels of a tile that may be drawn at all: the scissor and the polygon stipple.
