@@ -23,6 +23,10 @@ fn tp_list_pair(at: u32, lane: u32) -> vec2<u32> {
 
 // A word of the lists that all lanes want.
 fn tp_list(at: u32, lane: u32) -> u32 {
+//#if SUBGROUP8
     let pair = tp_list_pair(at & ~1u, lane);
     return select(pair.x, pair.y, (at & 1u) != 0u);
+//#else
+    return tp_lists[at];
+//#endif
 }

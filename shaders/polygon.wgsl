@@ -52,9 +52,7 @@ fn tp_clip_corner(p: TpPrimitive, corner: u32) -> TpCorner {
     if (corner < 3u) {
         return tp_corner(p, corner);
     }
-    let at = tp_vertex_at(p, corner);
-    let place = tp_shaded[at + p.shaded_stride];
-    return TpCorner(place.xyz, place.w, vec2<i32>(tp_snap(place.x), tp_snap(place.y)), at);
+    return tp_pool_corner(p, tp_vertex_at(p, corner));
 }
 
 // What is left of a triangle; no corners where nothing is.

@@ -66,6 +66,12 @@ fn tp_corner(p: TpPrimitive, vertex: u32) -> TpCorner {
     return tp_on_screen(p.positions[vertex], p.shaded[vertex], p.state, p.flags);
 }
 
+// A vertex that clipping made, at `at` of tp_shaded: its place on the screen is behind it.
+fn tp_pool_corner(p: TpPrimitive, at: u32) -> TpCorner {
+    let place = tp_shaded[at + p.shaded_stride];
+    return TpCorner(place.xyz, place.w, vec2<i32>(tp_snap(place.x), tp_snap(place.y)), at);
+}
+
 // Twice the area with the sign that decides the face: -1, 0, 1. Positive is counter-clockwise in rows that run down.
 fn tp_area_sign(x: vec3<i32>, y: vec3<i32>) -> i32 {
 //#if VISIBLE

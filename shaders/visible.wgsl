@@ -58,8 +58,6 @@ fn tp_corner_at(p: TpPrimitive, reference: u32) -> TpCorner {
     if (reference < 3u) {
         return tp_corner(p, reference);
     }
-    let at = reference - 3u;
-    let place = tp_shaded[at + p.shaded_stride];
-    return TpCorner(place.xyz, place.w, vec2<i32>(tp_snap(place.x), tp_snap(place.y)), at);
+    return tp_pool_corner(p, reference - 3u);
 }
 //#endif

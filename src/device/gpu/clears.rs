@@ -31,29 +31,34 @@ pub fn clear_params(clear: &Clear, mut params: Params, format: SurfaceFormat) ->
     (params.clear_mask != [0; 4] || params.clear_depth_mask != 0).then_some(params)
 }
 
+/// What a clear writes, colour and depth: `None` nothing, true all words of every pixel.
+pub fn writes_whole(clear: &Params, format: SurfaceFormat) -> [Option<bool>; 2] {
+    let all = clear.clear_min == [0; 2] && clear.clear_max == clear.size.map(|s| s as i32);
+    let used = if format.stencil { u32::MAX } else { format.depth.mask() };
+    let color = clear.clear_mask[..format.color.words()].iter().all(|&m| m == u32::MAX);
+    let depth = clear.clear_depth_mask & used == used;
+    [(clear.clear_mask != [0; 4]).then_some(all && color), (clear.clear_depth_mask != 0).then_some(all && depth)]
+}
+
 /// Tells the first segment behind clears of the whole surface what they left. Where `absorbs`, such a segment writes every pixel anyway and
 /// does the clears itself: should it fail, the batch goes on at the first of them.
 pub fn absorb_clears(actions: &mut [(Place, Action)], format: SurfaceFormat, absorbs: bool) {
-    let wanted = format.depth.mask() | if format.stencil { u32::MAX } else { 0 };
     let mut known = Params::default();
     // Clears since the last segment, as long as all of them are whole.
     let mut whole_clears: Vec<usize> = Vec::new();
     for k in 0..actions.len() {
         let params = match &mut actions[k].1 {
             Action::Clear(clear) => {
-                let all = clear.clear_min == [0; 2] && clear.clear_max == clear.size.map(|s| s as i32);
-                let color = clear.clear_mask[..format.color.words()].iter().all(|&m| m == u32::MAX);
-                let depth = clear.clear_depth_mask & wanted == wanted;
-                let [writes_color, writes_depth] = [clear.clear_mask != [0; 4], clear.clear_depth_mask != 0];
-                if writes_color {
-                    known.fresh = known.fresh & !fresh::COLOR | if all && color { fresh::COLOR } else { 0 };
+                let [color, depth] = writes_whole(clear, format);
+                if let Some(whole) = color {
+                    known.fresh = known.fresh & !fresh::COLOR | if whole { fresh::COLOR } else { 0 };
                     known.clear_color = clear.clear_color;
                 }
-                if writes_depth {
-                    known.fresh = known.fresh & !fresh::DEPTH | if all && depth { fresh::DEPTH } else { 0 };
+                if let Some(whole) = depth {
+                    known.fresh = known.fresh & !fresh::DEPTH | if whole { fresh::DEPTH } else { 0 };
                     known.clear_depth = clear.clear_depth;
                 }
-                if all && (color || !writes_color) && (depth || !writes_depth) {
+                if ![color, depth].contains(&Some(false)) {
                     whole_clears.push(k);
                 } else {
                     whole_clears.clear();

@@ -116,21 +116,24 @@ impl Plan {
         if segment.key.features & feature::ONE_DRAW != 0 {
             params.draws += segment.draw * DRAW_WORDS as u32;
         }
-        let front = FrontParams { top_first: params.top_first, zero: params.zero, ..FrontParams::default() };
-        let front = visible::set_up(triangles, tiles, first, &mut self.queue, front);
+        let front = visible::set_up(triangles, tiles, first, &mut self.queue, front_base(&params));
         let draw = segment.draw;
         self.push(place, Action::Visible(Box::new(VisibleAction { params, front, key: segment.finish(), draw })));
     }
 
     fn visible(&mut self, step: usize, segment: Segment, primitives: std::ops::Range<u32>, mut params: Params, room: &Room) {
         params.action = self.actions.len() as u32;
-        let front = FrontParams { top_first: params.top_first, zero: params.zero, ..FrontParams::default() };
         let place = Place { step, primitive: primitives.start };
-        let (front, words) = visible::params(room, primitives, front);
+        let (front, words) = visible::params(room, primitives, front_base(&params));
         self.queue_words = self.queue_words.max(words);
         let draw = segment.draw;
         self.push(place, Action::Visible(Box::new(VisibleAction { params, front, key: segment.finish(), draw })));
     }
+}
+
+/// What the kernels of keys know of the surface.
+fn front_base(params: &Params) -> FrontParams {
+    FrontParams { top_first: params.top_first, zero: params.zero, ..FrontParams::default() }
 }
 
 fn align4(words: &mut Vec<u32>) -> u32 {

@@ -6,12 +6,13 @@ use bytemuck::{bytes_of, cast_slice};
 
 use super::adapter::Gpu;
 use super::buffers::{Growing, create};
+use super::clears::writes_whole;
 use super::encode::{Action, DrawAction, Place, Plan, Planner, VisibleAction, place_lists};
 use super::fill::fill;
 use super::fine::feature;
 use super::front::FrontRecords;
 use super::host_front::HostFront;
-use super::kernels::Kernels;
+use super::kernels::{Kernels, TEXELS};
 use super::params::{FrontParams, Params, SEGMENT_WORDS, Status, fresh, indirect};
 use super::profile::{Profile, StageTime};
 use super::room::Room;
@@ -246,7 +247,7 @@ impl Executor {
             let [uniforms, first, second, shaded, records, queue] =
                 [&b.uniforms, first, second, &b.shaded, &b.records, &b.queue].map(|g| g.get());
             let all = [uniforms, first, second, shaded, records, &b.color, &b.depth, keys, queue];
-            self.group(&self.kernels.visible_layout, &with_texels(&all, 7, &self.heap), &sizes)
+            self.group(&self.kernels.visible_layout, &with_texels(&all, &self.heap), &sizes)
         });
         self.bound = Some(Bound {
             generation,
@@ -275,7 +276,7 @@ impl Executor {
         let [uniforms, records, triangles, planes, lists, segments] =
             [&b.uniforms, &b.records, &b.triangles, &b.planes, &b.lists, &b.front].map(|g| g.get());
         let stages = [uniforms, records, triangles, planes, lists, color, depth, segments];
-        self.group(&self.kernels.layout, &with_texels(&stages, 7, &self.heap), &[size_of::<Params>() as u64])
+        self.group(&self.kernels.layout, &with_texels(&stages, &self.heap), &[size_of::<Params>() as u64])
     }
 
     fn planner<'a>(&'a self, batch: &'a Batch) -> Planner<'a> {
@@ -515,10 +516,10 @@ impl Executor {
     }
 }
 
-/// Bindings of buffers, and of the texels as number `at`.
-fn with_texels<'a>(buffers: &[&'a wgpu::Buffer], at: usize, heap: &'a Heap) -> Vec<wgpu::BindingResource<'a>> {
+/// Bindings of buffers, and of the texels among them.
+fn with_texels<'a>(buffers: &[&'a wgpu::Buffer], heap: &'a Heap) -> Vec<wgpu::BindingResource<'a>> {
     let mut all: Vec<_> = buffers.iter().map(|b| b.as_entire_binding()).collect();
-    all.insert(at, heap.resource());
+    all.insert(TEXELS as usize, heap.resource());
     all
 }
 
@@ -698,16 +699,10 @@ impl Dispatcher<'_> {
 
 /// Clears all of a surface from the host; false where the clear is not of that kind or the host cannot.
 fn clear_by_host(gpu: &Gpu, p: &Params, format: SurfaceFormat, [color, depth]: [&wgpu::Buffer; 2]) -> bool {
-    let words = format.color.words();
-    let used = if format.stencil { !0 } else { format.depth.mask() };
-    let (clears_color, clears_depth) = (p.clear_mask != [0; 4], p.clear_depth_mask != 0);
-    let whole = p.clear_min == [0; 2] && p.clear_max == p.size.map(|s| s as i32);
-    if !whole || clears_color && p.clear_mask[..words] != [!0; 4][..words] || clears_depth && p.clear_depth_mask & used != used {
-        return false;
-    }
-    let wanted = [(clears_color, color, &p.clear_color[..words]), (clears_depth, depth, std::slice::from_ref(&p.clear_depth))];
-    let wanted = wanted.into_iter().filter(|w| w.0);
-    if wanted.clone().any(|(_, buffer, _)| !buffer.usage().contains(wgpu::BufferUsages::MAP_WRITE)) {
+    let whole = writes_whole(p, format);
+    let patterns = [(color, &p.clear_color[..format.color.words()]), (depth, std::slice::from_ref(&p.clear_depth))];
+    let wanted = whole.into_iter().zip(patterns).filter_map(|(whole, (buffer, pattern))| whole.map(|whole| (whole, buffer, pattern)));
+    if !wanted.clone().all(|(whole, buffer, _)| whole && buffer.usage().contains(wgpu::BufferUsages::MAP_WRITE)) {
         return false;
     }
     wanted.for_each(|(_, buffer, pattern)| fill(gpu, buffer, pattern));

@@ -55,6 +55,9 @@ fn storage_entry(binding: u32, read_only: bool) -> wgpu::BindGroupLayoutEntry {
     }
 }
 
+/// The texels' binding, in every layout that has it.
+pub const TEXELS: u32 = 7;
+
 fn image_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
     let (access, view_dimension) = (wgpu::StorageTextureAccess::ReadOnly, wgpu::TextureViewDimension::D2);
     let ty = wgpu::BindingType::StorageTexture { access, format: super::texture::PAIR_FORMAT, view_dimension };
@@ -74,27 +77,27 @@ impl Kernels {
     /// Layouts, no pipelines yet.
     pub fn new(gpu: &Gpu, config: Config) -> Kernels {
         let device = &gpu.device;
-        let group = |label, read_only: &[bool], texels: Option<u32>, uniforms: u32| {
+        let group = |label, read_only: &[bool], texels: bool, uniforms: u32| {
             let mut entries: Vec<_> = read_only.iter().enumerate().map(|(k, &r)| storage_entry(k as u32, r)).collect();
-            if let (Some(binding), true) = (texels, config.shape.texel_pairs) {
-                entries[binding as usize] = image_entry(binding);
+            if texels && config.shape.texel_pairs {
+                entries[TEXELS as usize] = image_entry(TEXELS);
             }
             let storage = entries.len() as u32;
             entries.extend((storage..storage + uniforms).map(uniform_entry));
             device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
         };
         // uniforms, vertices, primitives, records, shaded, triangles, planes, front; then the parameters.
-        let front_layout = group("tepui front end", &[true, true, true, true, false, false, false, false], None, 1);
+        let front_layout = group("tepui front end", &[true, true, true, true, false, false, false, false], false, 1);
         // uniforms, records, triangles, planes, lists, colour, depth, texels, segments; then the parameters.
-        let layout = group("tepui stages", &[true, true, true, true, false, false, false, true, true], Some(7), 1);
+        let layout = group("tepui stages", &[true, true, true, true, false, false, false, true, true], true, 1);
         // uniforms, primitives, front records, shaded, records, colour, depth, texels, keys, queue; then two of parameters.
         let visible = [true, true, true, false, true, false, false, true, false, false];
         // A device that cannot take it never uses it.
         let visible_layout = match config.shape.keys64 {
-            true => group("tepui visible", &visible, Some(7), 2),
-            false => group("tepui visible", &visible[..1], None, 2),
+            true => group("tepui visible", &visible, true, 2),
+            false => group("tepui visible", &visible[..1], false, 2),
         };
-        let indirect_layout = group("tepui dispatches", &[false], None, 0);
+        let indirect_layout = group("tepui dispatches", &[false], false, 0);
         let pipeline_layout = |first: &wgpu::BindGroupLayout, indirect: bool| {
             device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
                 label: None,
