@@ -1,6 +1,9 @@
 // A workgroup a tile of 8 x 8 pixels: walks the tile's triangles in order and runs the per-fragment operations on each
 // covered pixel. Colour and depth stay in registers from the first triangle to the last.
 //
+// Where a segment has few triangles there are no lists (DIRECT): every tile looks at all of them, 32 at a time, a lane each. That takes less
+// time than the five dispatches that make lists, and no memory.
+//
 // Kernel shape: 64 lanes, a pixel each, or 32 lanes, two pixels each. Drivers that run on a processor have fine_column.wgsl.
 
 const TP_ROWS = i32(64u / TP_LANES);
@@ -16,28 +19,78 @@ var<private> tp_furthest: array<u32, TP_ROWS>;
 var<private> tp_depths: array<u32, TP_ROWS * i32(TP_SAMPLES)>;
 //#endif
 
+//#if DIRECT
+@group(1) @binding(0) var<storage, read_write> tp_indirect: array<u32>;
+
+// 32 triangles as the tile stage would leave them, and those of them that touch the tile.
+var<workgroup> tp_entries: array<vec4<u32>, 96>;
+var<workgroup> tp_touching: array<u32, 32>;
+
+// Block `block` of 32 triangles: which of them touch the tile? Their entries are in tp_entries.
+fn tp_touch(block: u32, tile: u32, origin: vec2<i32>, lane: u32) -> u32 {
+    let index = block * 32u + lane;
+    // Until all lanes have done with the entries of the block before.
+    workgroupBarrier();
+    if (lane < 32u) {
+        var touches = false;
+        let base = (tp_first_triangle() + index) * TP_TRIANGLE_WORDS;
+        let corner = vec2<i32>(vec2<u32>(tile & 7u, tile >> 3u));
+        if (index < tp_triangle_count()) {
+            let box = tp_box_in_bin(base, origin);
+            if (all((box.low >> vec2<u32>(3u)) <= corner) && all((box.high >> vec2<u32>(3u)) >= corner)) {
+                let t = tp_in_bin(base, origin, box);
+                let e = t.most + t.a * (8 * corner.x) + t.b * (8 * corner.y);
+                touches = (e.x | e.y | e.z) >= 0;
+                tp_entries[lane * 3u] = bitcast<vec4<u32>>(vec4<i32>(t.c, t.a.x));
+                tp_entries[lane * 3u + 1u] = bitcast<vec4<u32>>(vec4<i32>(t.a.yz, t.b.xy));
+                tp_entries[lane * 3u + 2u] = vec4<u32>(bitcast<u32>(t.b.z), t.box, t.planes, t.draw_and_flags);
+            }
+        }
+        tp_touching[lane] = select(0u, 1u << lane, touches);
+    }
+    workgroupBarrier();
+    var bits = 0u;
+    for (var k = 0u; k < 32u; k++) {
+        bits |= tp_touching[k];
+    }
+    return bits;
+}
+//#else
 // A word of the lists.
 fn tp_list(at: u32) -> u32 {
     return tp_lists[at >> 2u][at & 3u];
 }
+//#endif
 
 @compute @workgroup_size(TP_LANES)
 fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    // Where the clear before the segment is the segment's to do, all tiles are drawn; else those that have any triangle.
+    let clears = (tp.fresh & TP_FRESH_CLEARS) != 0u;
     let slot = group.x + group.y * 32768u;
+//#if DIRECT
+    if (slot >= tp.bins.x * tp.bins.y * 64u || tp_indirect[TP_FAILED] != 0u) {
+        return;
+    }
+    let work = slot;
+//#else
     if (slot >= tp_list(2u)) {
         return;
     }
-    // Where the clear before the segment is the segment's to do, all tiles are drawn; else those that have any triangle.
-    let clears = (tp.fresh & TP_FRESH_CLEARS) != 0u;
     var work = slot;
     if (!clears) {
         work = tp_list(tp.work_base + slot);
     }
+//#endif
     let bin = work >> 6u;
     let tile = work & 63u;
     let origin = vec2<u32>((bin % tp.bins.x) * 64u + (tile & 7u) * 8u, (bin / tp.bins.x) * 64u + (tile >> 3u) * 8u);
+//#if DIRECT
+    let bin_origin = vec2<i32>(vec2<u32>(bin % tp.bins.x, bin / tp.bins.x) * 64u);
+    let blocks = tp_blocks();
+//#else
     let first_block = tp_list(tp.bin_base + bin * 2u);
     let blocks = (tp_list(tp.bin_base + bin * 2u + 1u) + 31u) / 32u;
+//#endif
     // The first triangle.
     var block = 0u;
     var bits = 0u;
@@ -45,9 +98,13 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         if (bits != 0u || block >= blocks) {
             break;
         }
-        bits = tp_list(tp.tile_base + (first_block + block) * 64u + tile);
-        block++;
+        //#include next_block
     }
+//#if DIRECT
+    if (bits == 0u && !clears) {
+        return;
+    }
+//#endif
 
     let column = lane & 7u;
     let first_row = i32(lane >> 3u);
@@ -83,13 +140,15 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
         }
     }
 
-    var entry = (first_block + block - 1u) * 32u + countTrailingZeros(bits);
     var more = bits != 0u;
     if (more) {
         // The next entry is loaded while this one is drawn.
-        var next_0 = tp_lists[(tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u];
-        var next_1 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 1u];
-        var next_2 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 2u];
+        var next_0: vec4<u32>;
+        var next_1: vec4<u32>;
+        var next_2: vec4<u32>;
+        {
+            //#include next_entry
+        }
         loop {
             let te_0 = next_0;
             let te_1 = next_1;
@@ -100,15 +159,11 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
                 if (bits != 0u || block >= blocks) {
                     break;
                 }
-                bits = tp_list(tp.tile_base + (first_block + block) * 64u + tile);
-                block++;
+                //#include next_block
             }
             more = bits != 0u;
-            entry = (first_block + block - 1u) * 32u + countTrailingZeros(bits);
             if (more) {
-                next_0 = tp_lists[(tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u];
-                next_1 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 1u];
-                next_2 = tp_lists[((tp.entry_base + entry * TP_ENTRY_WORDS) >> 2u) + 2u];
+                //#include next_entry
             }
             let draw_and_flags = WORD(te, 11);
             let flags = draw_and_flags >> 24u;

@@ -9,75 +9,33 @@ var<workgroup> tp_tiles: array<vec2<u32>, 32>;
 //#endif
 
 // Writes the entry's record for the fine stage and returns the tiles that the triangle touches, bit y * 8 + x, of the bin
-// at `origin`. Edge functions are relative to the bin: c + a * x + b * y, inside where none is negative, 32 bits all over it: they are
-// saturated at the bin's middle, and c itself is right modulo 2^32.
+// at `origin`.
 fn tp_entry(base: u32, at: u32, origin: vec2<i32>) -> vec2<u32> {
-    let box_words = tp_triangle_words(base, TP_TRIANGLE_COLUMNS / 2u);
-    let columns = box_words.x;
-    let rows = box_words.y;
-    let left = max(i32(columns & 0xffffu) - origin.x, 0);
-    let right = min(i32(columns >> 16u) - origin.x, 63);
-    let top = max(i32(rows & 0xffffu) - origin.y, 0);
-    let bottom = min(i32(rows >> 16u) - origin.y, 63);
-    let x0 = left >> 3u;
-    let x1 = right >> 3u;
-    let y0 = top >> 3u;
-    let y1 = bottom >> 3u;
-    let span = ((2u << u32(x1)) - 1u) & ~((1u << u32(x0)) - 1u);
-    let corners = tp_corners(base);
-    let px = corners.x;
-    let py = corners.y;
-    let dx = px - px.yzx;
-    let dy = py - py.yzx;
-    let qx = origin.x * 256 - px;
-    let qy = origin.y * 256 - py;
-    let mx = qx + 32 * 256;
-    let my = qy + 32 * 256;
-    let middle = vec3<i32>(
-        tp_edge_floor(dx.x, my.x, dy.x, mx.x, tp_edge_bias(dx.x, dy.x), 8u),
-        tp_edge_floor(dx.y, my.y, dy.y, mx.y, tp_edge_bias(dx.y, dy.y), 8u),
-        tp_edge_floor(dx.z, my.z, dy.z, mx.z, tp_edge_bias(dx.z, dy.z), 8u));
-    let a = -dy;
-    let b = dx;
-    let c = middle - 32 * a - 32 * b;
+    let box = tp_box_in_bin(base, origin);
+    let t = tp_in_bin(base, origin, box);
     for (var k = 0u; k < 3u; k++) {
-        tp_lists[at + k] = bitcast<u32>(c[k]);
-        tp_lists[at + 3u + k] = bitcast<u32>(a[k]);
-        tp_lists[at + 6u + k] = bitcast<u32>(b[k]);
+        tp_lists[at + k] = bitcast<u32>(t.c[k]);
+        tp_lists[at + 3u + k] = bitcast<u32>(t.a[k]);
+        tp_lists[at + 6u + k] = bitcast<u32>(t.b[k]);
     }
-    var box = u32(left) | (u32(right) << 8u) | (u32(top) << 16u) | (u32(bottom) << 24u);
-    var planes = tp_triangle_words(base, TP_TRIANGLE_PLANES / 2u).x * 4u;
-    let draw_words = tp_triangle_words(base, TP_TRIANGLE_DRAW / 2u);
-    var flags = draw_words.y;
-    // Each edge function at the corner of a tile where it is greatest.
-    var most = c + 7 * (max(a, vec3<i32>(0)) + max(b, vec3<i32>(0)));
-//#if SAMPLES
-    // Samples lie off the centres: the next four bits of the edge functions decide. They go where bits are free: two in each byte of the
-    // rectangle, two below the planes, two above the flags.
-    let low = vec3<u32>(
-        tp_edge_low(dx.x, qy.x, dy.x, qx.x, tp_edge_bias(dx.x, dy.x)),
-        tp_edge_low(dx.y, qy.y, dy.y, qx.y, tp_edge_bias(dx.y, dy.y)),
-        tp_edge_low(dx.z, qy.z, dy.z, qx.z, tp_edge_bias(dx.z, dy.z)));
-    box |= ((low.x & 3u) << 6u) | ((low.x >> 2u) << 14u) | ((low.y & 3u) << 22u) | ((low.y >> 2u) << 30u);
-    planes |= low.z & 3u;
-    flags |= (low.z >> 2u) << 6u;
-    most += ((abs(a) + abs(b)) >> vec3<u32>(1u)) + 1;
-//#endif
-    tp_lists[at + 9u] = box;
-    tp_lists[at + 10u] = planes;
-    tp_lists[at + 11u] = draw_words.x | (flags << 24u);
-    let small = x0 == x1 || y0 == y1;
+    tp_lists[at + 9u] = t.box;
+    tp_lists[at + 10u] = t.planes;
+    tp_lists[at + 11u] = t.draw_and_flags;
+    let low = box.low >> vec2<u32>(3u);
+    let high = box.high >> vec2<u32>(3u);
+    let span = ((2u << u32(high.x)) - 1u) & ~((1u << u32(low.x)) - 1u);
+    let small = low.x == high.x || low.y == high.y;
     var mask = vec2<u32>(0u);
     for (var y = 0; y < 8; y++) {
         var row = span;
         if (!small) {
             row = 0u;
-            for (var x = x0; x <= x1; x++) {
-                let e = most + a * (8 * x) + b * (8 * y);
+            for (var x = low.x; x <= high.x; x++) {
+                let e = t.most + t.a * (8 * x) + t.b * (8 * y);
                 row |= select(0u, 1u, (e.x | e.y | e.z) >= 0) << u32(x);
             }
         }
-        row = select(0u, row, y >= y0 && y <= y1) << (u32(y & 3) * 8u);
+        row = select(0u, row, y >= low.y && y <= high.y) << (u32(y & 3) * 8u);
         mask |= select(vec2<u32>(0u, row), vec2<u32>(row, 0u), y < 4);
     }
     return mask;

@@ -75,6 +75,8 @@ pub struct Config {
     pub visible_pixels: u64,
     /// Most pixels of the tiles that they touch for each of them, likewise.
     pub visible_area: u64,
+    /// Triangles up to which a segment needs no lists, on a GPU.
+    pub direct_upto: u32,
 }
 
 /// An open device.
@@ -124,6 +126,9 @@ fn adapter() -> Result<wgpu::Adapter, String> {
 pub fn hardware_adapter_present() -> bool {
     adapter().is_ok_and(|a| rank(&a) < 4)
 }
+
+/// Every tile of the surface looks at so many triangles in less time than lists of them take.
+const DIRECT_UPTO: u32 = 512;
 
 /// Most bytes of a buffer that grows with a batch; larger batches are drawn in slices.
 const BUFFER_LIMIT: u64 = 256 << 20;
@@ -190,6 +195,7 @@ fn open() -> Result<Gpu, String> {
         visible_from: visible::WORTH_IT,
         visible_pixels: visible::WORTH_IT_PIXELS,
         visible_area: visible::WORTH_IT_AREA,
+        direct_upto: DIRECT_UPTO,
     };
     Ok(Gpu { device, queue, info, config })
 }

@@ -65,6 +65,13 @@ pub struct DrawAction {
     pub blocks: u32,
 }
 
+impl DrawAction {
+    /// It has no lists.
+    pub fn is_direct(&self) -> bool {
+        self.key.features & feature::DIRECT != 0
+    }
+}
+
 /// Where in the batch an action begins: step and primitive. A batch that stopped there goes on there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
@@ -106,7 +113,9 @@ impl Plan {
             words[1..4].copy_from_slice(&[n, blocks, blocks.div_ceil(32)]);
         }
         self.segments.extend(words);
-        self.mask_words = self.mask_words.max(bins * blocks);
+        if segment.key.features & feature::DIRECT == 0 {
+            self.mask_words = self.mask_words.max(bins * blocks);
+        }
         let draw = segment.draw;
         self.push(place, Action::Draw(Box::new(DrawAction { params, key: segment.finish(), draw, triangles, blocks })));
     }
@@ -175,6 +184,8 @@ pub struct Planner<'a> {
     pub visible_pixels: u64,
     /// Most pixels of the tiles that they touch for each of them.
     pub visible_area: u64,
+    /// Triangles up to which a segment needs no lists.
+    pub direct_upto: u32,
 }
 
 impl Planner<'_> {
@@ -426,9 +437,17 @@ impl Slices<'_> {
             }
             let full = at < run.primitives.end && slice.fits(room, batch, draw) == 0;
             if at > first {
-                let blocks = room.segment_blocks(triangles, bins);
+                let mut segment = run.segment.clone();
+                let direct = self.planner.shape.vectors() && triangles <= self.planner.direct_upto;
+                let (blocks, list_blocks) = if direct {
+                    segment.key.features |= feature::DIRECT;
+                    // Nothing grows with them.
+                    (u32::MAX, 0)
+                } else {
+                    (room.segment_blocks(triangles, bins), room.lists(triangles, bins))
+                };
                 slice.segment(first..at, blocks);
-                plan.draw(place, run.segment.clone(), base, None, blocks, room.lists(triangles, bins));
+                plan.draw(place, segment, base, None, blocks, list_blocks);
             }
             if full {
                 self.close(plan);

@@ -290,6 +290,7 @@ impl Executor {
             visible_from: config.visible_from,
             visible_pixels: config.visible_pixels,
             visible_area: config.visible_area,
+            direct_upto: config.direct_upto,
         }
     }
 
@@ -370,7 +371,9 @@ impl Executor {
         let most = plan.mask_words.max(b.mask_capacity);
         let mut list_words = 0;
         for (_, action) in &mut plan.actions {
-            if let Action::Draw(draw) = action {
+            if let Action::Draw(draw) = action
+                && !draw.is_direct()
+            {
                 list_words = list_words.max(place_lists(draw, most) as u64);
             }
         }
@@ -660,6 +663,11 @@ impl Dispatcher<'_> {
     fn draw(&mut self, batch: &Batch, action: &DrawAction) {
         let p = &action.params;
         let bins = p.bins[0] * p.bins[1];
+        let fine = self.kernels.fine(self.gpu, &action.key, &batch.draws[action.draw as usize].fragment_program);
+        if action.is_direct() {
+            self.pass.set_pipeline(&fine);
+            return self.direct(bins * 64, "fine");
+        }
         let lanes = self.kernels.config.shape.list_lanes;
         let dispatch = indirect::SEGMENTS + p.segment * indirect::SEGMENT_WORDS;
         let supers = bins * action.blocks.div_ceil(32);
@@ -683,7 +691,6 @@ impl Dispatcher<'_> {
             self.stage(Stage::Active);
             self.direct(bins, "active");
         }
-        let fine = self.kernels.fine(self.gpu, &action.key, &batch.draws[action.draw as usize].fragment_program);
         self.pass.set_pipeline(&fine);
         self.indirect(indirect::FINE, "fine");
         let shape = self.kernels.config.shape;

@@ -52,6 +52,8 @@ pub mod feature {
     pub const CENTRES: u32 = 1 << 21;
     /// All triangles are of one draw, whose words a subgroup of the resolving kernel loads once.
     pub const ONE_DRAW: u32 = 1 << 22;
+    /// Few triangles: there are no lists, each tile looks at all of them.
+    pub const DIRECT: u32 = 1 << 23;
 }
 
 /// Blending of a segment.
@@ -122,6 +124,9 @@ impl FineKey {
         }
         self.shading(&options, program, &mut source);
         if shape.vectors() {
+            if self.features & feature::DIRECT != 0 {
+                expand(files::IN_BIN, &options, &mut source);
+            }
             expand(files::FINE, &options, &mut source);
         } else {
             expand(files::COLUMN, &options, &mut source);
@@ -202,6 +207,8 @@ impl FineKey {
             ("TALL", feature::TALL),
             ("CENTRES", feature::CENTRES),
             ("ONE_DRAW", feature::ONE_DRAW),
+            ("DIRECT", feature::DIRECT),
+            ("TRIANGLES", feature::DIRECT),
         ] {
             options.flag(name, on(bit));
         }

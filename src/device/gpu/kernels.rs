@@ -5,7 +5,7 @@ use std::hash::Hash;
 use std::sync::{Arc, Mutex};
 
 use super::adapter::{Config, Gpu};
-use super::fine::FineKey;
+use super::fine::{FineKey, feature};
 use super::source::record_constants;
 use super::stage::{Stage, vertex_source};
 use super::visible::resolve_source;
@@ -143,7 +143,8 @@ impl Kernels {
     /// The fine stage's pipeline for a key.
     pub fn fine(&self, gpu: &Gpu, key: &FineKey, program: &Program) -> Arc<wgpu::ComputePipeline> {
         cached(&self.fine, key, || {
-            self.build(gpu, "Fine", &key.source(self.config.shape, program, &self.constants), Bindings::Stages, false)
+            let direct = key.features & feature::DIRECT != 0;
+            self.build(gpu, "Fine", &key.source(self.config.shape, program, &self.constants), Bindings::Stages, direct)
         })
     }
 

@@ -84,6 +84,7 @@ pub mod files {
     pub const COUNT: File = File { name: "count.wgsl", text: include_str!("../../../shaders/count.wgsl") };
     pub const SCAN: File = File { name: "scan.wgsl", text: include_str!("../../../shaders/scan.wgsl") };
     pub const EMIT: File = File { name: "emit.wgsl", text: include_str!("../../../shaders/emit.wgsl") };
+    pub const IN_BIN: File = File { name: "in_bin.wgsl", text: include_str!("../../../shaders/in_bin.wgsl") };
     pub const TILE: File = File { name: "tile.wgsl", text: include_str!("../../../shaders/tile.wgsl") };
     pub const ACTIVE: File = File { name: "active.wgsl", text: include_str!("../../../shaders/active.wgsl") };
     pub const ROUND: File = File { name: "round.wgsl", text: include_str!("../../../shaders/round.wgsl") };
@@ -94,6 +95,8 @@ pub mod files {
     pub const STATE: File = File { name: "state.wgsl", text: include_str!("../../../shaders/state.wgsl") };
     pub const RESOLVE_STATE: File = File { name: "resolve_state.wgsl", text: include_str!("../../../shaders/resolve_state.wgsl") };
     pub const FINE: File = File { name: "fine.wgsl", text: include_str!("../../../shaders/fine.wgsl") };
+    pub const NEXT_BLOCK: File = File { name: "next_block.wgsl", text: include_str!("../../../shaders/next_block.wgsl") };
+    pub const NEXT_ENTRY: File = File { name: "next_entry.wgsl", text: include_str!("../../../shaders/next_entry.wgsl") };
     pub const COLUMN: File = File { name: "column.wgsl", text: include_str!("../../../shaders/column.wgsl") };
     pub const COLUMN_START: File = File { name: "column_start.wgsl", text: include_str!("../../../shaders/column_start.wgsl") };
     pub const COLUMN_NEXT: File = File { name: "column_next.wgsl", text: include_str!("../../../shaders/column_next.wgsl") };
@@ -107,7 +110,8 @@ pub mod files {
     pub const TEXTURE: File = File { name: "texture.wgsl", text: include_str!("../../../shaders/texture.wgsl") };
 
     /// Parts of functions, for `//#include`.
-    pub const PARTS: [File; 8] = [COLUMN_START, COLUMN_NEXT, EDGES, ENTRY, FRAGMENT, SAMPLES, STATE, RESOLVE_STATE];
+    pub const PARTS: [File; 10] =
+        [NEXT_BLOCK, NEXT_ENTRY, COLUMN_START, COLUMN_NEXT, EDGES, ENTRY, FRAGMENT, SAMPLES, STATE, RESOLVE_STATE];
 }
 
 /// Reads the `//#` lines of a source.

@@ -138,7 +138,7 @@ impl Stage {
             Stage::Tile(samples) => {
                 lanes = team(lanes) * shape.teams();
                 options.flag("SAMPLES", samples);
-                &[files::TILE]
+                &[files::IN_BIN, files::TILE]
             }
             Stage::Resolve(color) => {
                 color_flags(&mut options, color);

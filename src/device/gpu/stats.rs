@@ -62,8 +62,9 @@ fn contents(key: &FineKey) -> String {
 /// Prints a batch: what it held, what was built for it, what was left out. `host`: triangles, where the host has set them up.
 pub fn print(batch: &Batch, plan: &Plan, host: Option<usize>, time: std::time::Duration) {
     let count = |which: fn(&Action) -> bool| plan.actions.iter().filter(|a| which(&a.1)).count();
-    let [lists, keys, slices] =
-        [count(|a| matches!(a, Action::Draw(_))), count(|a| matches!(a, Action::Visible(_))), count(|a| matches!(a, Action::Front(..)))];
+    let draws = count(|a| matches!(a, Action::Draw(_)));
+    let lists = count(|a| matches!(a, Action::Draw(draw) if !draw.is_direct()));
+    let [keys, slices] = [count(|a| matches!(a, Action::Visible(_))), count(|a| matches!(a, Action::Front(..)))];
     let set_up = match host {
         Some(triangles) => format!("{triangles} triangles set up by the host"),
         None => format!("{slices} slices set up by kernels"),
@@ -72,7 +73,7 @@ pub fn print(batch: &Batch, plan: &Plan, host: Option<usize>, time: std::time::D
         "tepui: gpu: {} primitives, {} draws, {set_up}, {} segments, {} clears, {} of them by segments, encoded in {:.2} ms\n",
         batch.primitives.len(),
         batch.draws.len(),
-        lists + keys,
+        draws + keys,
         count(|a| matches!(a, Action::Clear(_) | Action::Absorbed)),
         count(|a| matches!(a, Action::Absorbed)),
         time.as_secs_f64() * 1e3,
@@ -81,7 +82,7 @@ pub fn print(batch: &Batch, plan: &Plan, host: Option<usize>, time: std::time::D
     let mut kernels: Vec<(&FineKey, &str, usize)> = Vec::new();
     for (_, action) in &plan.actions {
         let (key, way) = match action {
-            Action::Draw(draw) => (&draw.key, "lists"),
+            Action::Draw(draw) => (&draw.key, if draw.is_direct() { "tiles alone" } else { "lists" }),
             Action::Visible(visible) => (&visible.key, "keys"),
             Action::Front(_, features) => {
                 front_end |= features;

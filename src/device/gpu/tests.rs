@@ -206,7 +206,7 @@ fn all_ways() -> Vec<(&'static str, Result<GpuDevice, String>)> {
     let with = |change: fn(&mut Config)| {
         GpuDevice::with(|config| {
             config.shape.host_front = false;
-            config.visible_from = u32::MAX;
+            (config.visible_from, config.direct_upto) = (u32::MAX, 0);
             change(config);
         })
     };
@@ -240,6 +240,20 @@ fn all_ways() -> Vec<(&'static str, Result<GpuDevice, String>)> {
         ),
         ("32 lanes, as on a GPU", with(|c| on_gpu(c, 32))),
         ("64 lanes, as on a GPU", with(|c| on_gpu(c, 64))),
+        (
+            "32 lanes, no lists",
+            with(|c| {
+                on_gpu(c, 32);
+                c.direct_upto = u32::MAX;
+            }),
+        ),
+        (
+            "64 lanes, no lists, in little memory",
+            with(|c| {
+                on_gpu(c, 64);
+                (c.direct_upto, c.buffer_limit) = (200, 30_000);
+            }),
+        ),
         ("8 lanes, no subgroups", with(|c| c.shape.subgroup8 = false)),
         ("32 triangles a round", with(|c| c.shape.round_blocks = 1)),
     ]
