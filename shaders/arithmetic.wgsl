@@ -1,5 +1,7 @@
 // Arithmetic whose result is the same on every device: wide integers, and floats rounded as the CPU executor rounds them.
 
+//#if INT64
+//#else
 // Low and high word of a * b, signed.
 fn tp_mul64(a: i32, b: i32) -> vec2<u32> {
     let ua = bitcast<u32>(a);
@@ -16,10 +18,15 @@ fn tp_mul64(a: i32, b: i32) -> vec2<u32> {
     high -= select(0u, ub, a < 0) + select(0u, ua, b < 0);
     return vec2<u32>((n << 16u) | (ll & 0xffffu), high);
 }
+//#endif
 
 // floor((a*b - c*d - bias) / 2^shift), saturated to +-2^30: an edge function in whole steps of 2^shift subpixels. Steps from pixel to pixel are
 // below 2^24 (LARGEST_STEP of src/raster/tile.rs): within 32 pixels nothing changes its sign or overflows by that.
 fn tp_edge_floor(a: i32, b: i32, c: i32, d: i32, bias: u32, shift: u32) -> i32 {
+//#if INT64
+    let e = (i64(a) * i64(b) - i64(c) * i64(d) - i64(bias)) >> shift;
+    return i32(clamp(e, i64(-0x40000000), i64(0x40000000)));
+//#else
     let p = tp_mul64(a, b);
     let q = tp_mul64(c, d);
     var low = p.x - q.x;
@@ -30,6 +37,7 @@ fn tp_edge_floor(a: i32, b: i32, c: i32, d: i32, bias: u32, shift: u32) -> i32 {
     let inside = (high << (32u - shift)) | (low >> shift);
     let limit = 1i << (shift - 2u);
     return select(select(bitcast<i32>(inside), 0x40000000, h >= limit), -0x40000000, h < -limit);
+//#endif
 }
 
 // The integer nearest to x, the even one of two, for 0 <= x < 2^24. Sums run at full speed where conversions do not: adding 2^23 rounds to an

@@ -38,10 +38,14 @@ struct TpParams {
 //#if VISIBLE
 //#else
 @group(0) @binding(0) var<storage, read> uniforms: array<vec4<f32>>;
+//#if TRIANGLE_VECTORS
+@group(0) @binding(2) var<storage, read> tp_triangles: array<vec4<u32>>;
+//#else
 //#if TRIANGLE_PAIRS
 @group(0) @binding(2) var<storage, read> tp_triangles: array<u64>;
 //#else
 @group(0) @binding(2) var<storage, read> tp_triangles: array<u32>;
+//#endif
 //#endif
 //#if VECTORS
 // A GPU loads four words as fast as one.
@@ -100,11 +104,16 @@ fn tp_supers() -> u32 {
 //#if TRIANGLES
 // Words 2 k and 2 k + 1 of a triangle.
 fn tp_triangle_words(base: u32, k: u32) -> vec2<u32> {
+//#if TRIANGLE_VECTORS
+    let four = tp_triangles[(base >> 2u) + (k >> 1u)];
+    return select(four.zw, four.xy, (k & 1u) == 0u);
+//#else
 //#if TRIANGLE_PAIRS
     let pair = tp_triangles[(base >> 1u) + k];
     return vec2<u32>(u32(pair & 0xfffffffflu), u32(pair >> 32u));
 //#else
     return vec2<u32>(tp_triangles[base + k * 2u], tp_triangles[base + k * 2u + 1u]);
+//#endif
 //#endif
 }
 

@@ -24,15 +24,18 @@ var<private> tp_depths: array<u32, TP_ROWS * i32(TP_SAMPLES)>;
 
 // 32 triangles as the tile stage would leave them, and those of them that touch the tile.
 var<workgroup> tp_entries: array<vec4<u32>, 96>;
+//#if BALLOT
+//#else
 var<workgroup> tp_touching: array<u32, 32>;
+//#endif
 
 // Block `block` of 32 triangles: which of them touch the tile? Their entries are in tp_entries.
 fn tp_touch(block: u32, tile: u32, origin: vec2<i32>, lane: u32) -> u32 {
     let index = block * 32u + lane;
     // Until all lanes have done with the entries of the block before.
     workgroupBarrier();
+    var touches = false;
     if (lane < 32u) {
-        var touches = false;
         let base = (tp_first_triangle() + index) * TP_TRIANGLE_WORDS;
         let corner = vec2<i32>(vec2<u32>(tile & 7u, tile >> 3u));
         if (index < tp_triangle_count()) {
@@ -46,14 +49,23 @@ fn tp_touch(block: u32, tile: u32, origin: vec2<i32>, lane: u32) -> u32 {
                 tp_entries[lane * 3u + 2u] = vec4<u32>(bitcast<u32>(t.b.z), t.box, t.planes, t.draw_and_flags);
             }
         }
+//#if BALLOT
+//#else
         tp_touching[lane] = select(0u, 1u << lane, touches);
+//#endif
     }
+//#if BALLOT
+    let bits = subgroupBallot(touches).x;
+    workgroupBarrier();
+    return bits;
+//#else
     workgroupBarrier();
     var bits = 0u;
     for (var k = 0u; k < 32u; k++) {
         bits |= tp_touching[k];
     }
     return bits;
+//#endif
 }
 //#else
 // A word of the lists.
@@ -63,7 +75,11 @@ fn tp_list(at: u32) -> u32 {
 //#endif
 
 @compute @workgroup_size(TP_LANES)
+//#if BALLOT
+fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(subgroup_invocation_id) lane: u32) {
+//#else
 fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+//#endif
     // Where the clear before the segment is the segment's to do, all tiles are drawn; else those that have any triangle.
     let clears = (tp.fresh & TP_FRESH_CLEARS) != 0u;
     let slot = group.x + group.y * 32768u;

@@ -74,8 +74,7 @@ fn tp_pool_corner(p: TpPrimitive, at: u32) -> TpCorner {
 
 // Twice the area with the sign that decides the face: -1, 0, 1. Positive is counter-clockwise in rows that run down.
 fn tp_area_sign(x: vec3<i32>, y: vec3<i32>) -> i32 {
-//#if VISIBLE
-    // The visible path is for devices with wide integers.
+//#if INT64
     let area = i64(x.x - x.y) * i64(y.z - y.x) - i64(x.z - x.x) * i64(y.x - y.y);
     return select(select(1, 0, area == 0), -1, area < 0);
 //#else

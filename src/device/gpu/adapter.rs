@@ -14,6 +14,10 @@ pub struct Shape {
     /// Workgroups of 8 lanes are one subgroup, and there are integers of 64 bits: values that all lanes need are loaded by one lane each, two
     /// words at a time, and broadcast.
     pub subgroup8: bool,
+    /// Workgroups of 32 lanes are one subgroup.
+    pub subgroup32: bool,
+    /// There are integers of 64 bits, and they are faster than pairs of 32.
+    pub int64: bool,
     /// The driver splits `fma`, and there are doubles to work it out with.
     pub fma64: bool,
     /// The driver may fuse products with sums.
@@ -163,6 +167,8 @@ fn open() -> Result<Gpu, String> {
         fine_lanes: 8,
         list_lanes: LIST_LANES,
         subgroup8,
+        subgroup32: features.contains(wgpu::Features::SUBGROUP) && info.subgroup_min_size == 32 && info.subgroup_max_size == 32,
+        int64: !cpu && features.contains(wgpu::Features::SHADER_INT64),
         // Every GPU fuses; Mesa's software driver does not.
         fma64: cpu && features.contains(wgpu::Features::SHADER_F64),
         fuses: !cpu,

@@ -209,6 +209,7 @@ impl FineKey {
             ("ONE_DRAW", feature::ONE_DRAW),
             ("DIRECT", feature::DIRECT),
             ("TRIANGLES", feature::DIRECT),
+            ("TRIANGLE_VECTORS", feature::DIRECT),
         ] {
             options.flag(name, on(bit));
         }
@@ -239,6 +240,8 @@ impl FineKey {
         }
         options.flag("DEPTH_CHANGES", on(feature::DEPTH_BUFFER) && (on(feature::DEPTH_WRITE) || on(feature::STENCIL_TEST)));
         options.flag("SELECTS_ROW", !shape.vectors() && self.samples == 1 && !on(feature::TALL));
+        // A workgroup of one subgroup: 64 lanes are two.
+        options.flag("BALLOT", on(feature::DIRECT) && shape.subgroup32 && shape.fine_lanes == 32);
         options.flag("PAIRS", shape.subgroup8);
         options.flag("VECTORS", planes == Planes::Loaded && shape.vectors());
         shape_flags(&mut options, shape);

@@ -146,6 +146,7 @@ impl Stage {
             }
             Stage::Visible(which, offers) => {
                 options.flag("VISIBLE", true);
+                options.flag("INT64", true);
                 options.flag("SET_UP", shape.host_front);
                 options.flag("LEQUAL", offers.lequal);
                 let _ = writeln!(extra, "const TP_DEPTH_SCALE = {}.0;", (1u64 << offers.depth_bits) - 1);
@@ -184,6 +185,8 @@ impl Stage {
         let set_up = visible && shape.host_front;
         let triangles = matches!(self, Stage::Bin(_) | Stage::Tile(_)) || set_up;
         options.flag("TRIANGLES", triangles);
+        // A GPU loads four words as fast as one.
+        options.flag("TRIANGLE_VECTORS", triangles && wide && !set_up);
         options.flag("TRIANGLE_PAIRS", triangles && shape.subgroup8 || set_up);
         let _ = writeln!(
             extra,
@@ -216,6 +219,7 @@ pub fn shape_flags(options: &mut Options, shape: Shape) {
     options.flag("FMA64", shape.fma64);
     options.flag("FUSES", shape.fuses);
     options.flag("SUBGROUP8", shape.subgroup8);
+    options.flag("INT64", shape.int64);
     options.flag("ROUNDS", shape.rounds());
     options.flag("TEXEL_PAIRS", shape.texel_pairs);
 }

@@ -136,6 +136,7 @@ pub fn resolve_source(key: &FineKey, shape: Shape, program: &Program, constants:
     options.flag("TRIANGLES", shape.host_front);
     options.flag("TRIANGLE_PAIRS", shape.host_front);
     options.flag("VISIBLE", true);
+    options.flag("INT64", true);
     options.flag("RESOLVE", true);
     options.flag("LEQUAL", is_lequal(key));
     let mut source = format!("const TP_LANES = {RESOLVE_LANES}u;\n{extra}{constants}");
