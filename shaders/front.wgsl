@@ -36,6 +36,10 @@ struct TpFront {
     map_base: u32,
     tile_base: u32,
     tile_count: u32,
+    shaded_base: u32,
+    shaded_count: u32,
+    first_row: i32,
+    end_row: i32,
 }
 
 //#if VISIBLE

@@ -60,7 +60,9 @@ fn tp_walk(p: TpPrimitive, index: u32, triangle: u32, a: TpCorner, b: TpCorner, 
         return false;
     }
     let box = tp_bounds(x, y, p.state, p.flags);
-    if (box.x == TP_NOWHERE) {
+    let low = vec2<i32>(i32(box.x & 0xffffu), max(i32(box.y & 0xffffu), tf.first_row));
+    let high = vec2<i32>(i32(box.x >> 16u), min(i32(box.y >> 16u), tf.end_row - 1));
+    if (box.x == TP_NOWHERE || low.y > high.y) {
         return false;
     }
     // Vertices 0 and 1 change places where the area is negative.
@@ -82,8 +84,8 @@ fn tp_walk(p: TpPrimitive, index: u32, triangle: u32, a: TpCorner, b: TpCorner, 
     if ((p.flags & TP_OFFSET_FILL) != 0u) {
         offset = tp_polygon_offset(p.state, first, second, c.position);
     }
-    (*walk).low = vec2<i32>(vec2<u32>(box.x & 0xffffu, box.y & 0xffffu));
-    (*walk).high = vec2<i32>(vec2<u32>(box.x >> 16u, box.y >> 16u));
+    (*walk).low = low;
+    (*walk).high = high;
     (*walk).z = vec4<f32>(z0, dx, dy, offset);
     (*walk).depth_range = vec2<f32>(tp_state_float(p.state, TP_STATE_DEPTH_RANGE), tp_state_float(p.state, TP_STATE_DEPTH_RANGE + 1u));
     let order = (u64(index) << 8u) | u64(triangle);
@@ -103,7 +105,7 @@ fn tp_offer(walk: ptr<function, TpWalk>, px: i32, py: i32, zx: f32) {
     let z = tp_fma(f32(py), (*walk).z.z, zx) + (*walk).z.w;
     let clamped = min(max(z, (*walk).depth_range.x), (*walk).depth_range.y);
     let depth = tp_round(tp_mul(clamped, TP_DEPTH_SCALE));
-    atomicMin(&tp_keys[u32(py) * tp.size.x + u32(px)], (u64(depth) << 40u) | (*walk).order);
+    atomicMin(&tp_keys[u32(py - tf.first_row) * tp.size.x + u32(px)], (u64(depth) << 40u) | (*walk).order);
 }
 
 // tp_edge_bias of the three edges.

@@ -39,7 +39,7 @@ fn tp_primitive(index: u32) -> TpPrimitive {
     if (p.topology == TP_LINES) {
         v = v.xyy;
     }
-    p.shaded = tp_front_records[p.record + TP_DRAW_SHADED_BASE] + v * p.shaded_stride;
+    p.shaded = tp_front_records[p.record + TP_DRAW_SHADED_BASE] + v * p.shaded_stride - tf.shaded_base;
     p.positions = array<vec4<f32>, 3>(tp_shaded[p.shaded.x], tp_shaded[p.shaded.y], tp_shaded[p.shaded.z]);
     return p;
 }

@@ -31,12 +31,15 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     loop {
         if (index < count) {
             let vertex = tp_front_records[record + TP_DRAW_VERTEX_WORD] + index * tp_front_records[record + TP_DRAW_VERTEX_STRIDE];
-            let at = tp_front_records[record + TP_DRAW_SHADED_BASE] + index * stride;
-            var in: VertexIn;
-            //#insert FETCH
-            let out = vertex_main(in, base);
-            tp_shaded[at] = out.position;
-            //#insert STORE
+            // Those that another part of the batch wants lie outside; in front of the first the difference wraps around.
+            let at = tp_front_records[record + TP_DRAW_SHADED_BASE] + index * stride - tf.shaded_base;
+            if (at < tf.shaded_count) {
+                var in: VertexIn;
+                //#insert FETCH
+                let out = vertex_main(in, base);
+                tp_shaded[at] = out.position;
+                //#insert STORE
+            }
         }
         continuing {
             index += TP_LANES;

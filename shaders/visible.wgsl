@@ -25,7 +25,7 @@
 //#else
 @group(0) @binding(7) var<storage, read> tp_texels: array<u32>;
 //#endif
-// A key a pixel, all ones between segments.
+// A key a pixel of the rows first_row to end_row, all ones between segments.
 //#if RESOLVE
 //#if SET_UP
 @group(0) @binding(8) var<storage, read_write> tp_keys: array<u64>;

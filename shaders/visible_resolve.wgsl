@@ -22,22 +22,23 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
 //#endif
     let columns = (tp.size.x + 7u) / 8u;
     let px = (tile % columns) * 8u + (lane & 7u);
-    let row = (tile / columns) * 8u + ((lane >> 3u) & 7u);
+    let row = u32(tf.first_row) + (tile / columns) * 8u + ((lane >> 3u) & 7u);
 //#if SET_UP
     let beyond = number >= tf.tile_count;
 //#else
     const beyond = false;
 //#endif
-    if (beyond || px >= tp.size.x || row >= tp.size.y) {
+    if (beyond || px >= tp.size.x || row >= u32(tf.end_row)) {
         return;
     }
     let py = i32(row);
     let at = row * tp.size.x + px;
+    let key_at = at - u32(tf.first_row) * tp.size.x;
 //#if SET_UP
-    let both = tp_keys[at];
+    let both = tp_keys[key_at];
     let key = vec2<u32>(u32(both & 0xfffffffflu), u32(both >> 32u));
 //#else
-    let key = tp_keys[at];
+    let key = tp_keys[key_at];
 //#endif
     let offered = (key.x & key.y) != 0xffffffffu;
 //#if SET_UP
@@ -52,9 +53,9 @@ fn tp_main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     }
     if (offered) {
 //#if SET_UP
-        tp_keys[at] = ~0lu;
+        tp_keys[key_at] = ~0lu;
 //#else
-        tp_keys[at] = vec2<u32>(0xffffffffu);
+        tp_keys[key_at] = vec2<u32>(0xffffffffu);
 //#endif
     }
     let old_depth = tp_first_depth(at, tp.fresh);

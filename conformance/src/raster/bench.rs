@@ -142,13 +142,15 @@ impl Bench {
         matches!(self, Bench::Gpu(_, true))
     }
 
-    /// Draws a batch again and again. Vertices are where the device wants them before the time starts.
-    pub fn measure(&self, batch: &Batch, size: [u32; 2], samples: u32, frames: usize) -> Result<Measure, String> {
+    /// Draws a batch again and again. Vertices are where the device wants them before the time starts. `budget`: bytes on the device between
+    /// the input and the pixels, if not as always.
+    pub fn measure(&self, batch: &Batch, size: [u32; 2], samples: u32, frames: usize, budget: Option<u64>) -> Result<Measure, String> {
         let format = format(samples)?;
         let batch = &with_samples(batch, samples);
         match self {
             Bench::Gpu(gpu, _) => {
                 let mut surface = gpu.gpu_surface(size[0], size[1], format)?;
+                budget.into_iter().for_each(|bytes| surface.set_budget(bytes));
                 let whole = surface.timed(batch, frames, false);
                 let ms = frame_times(&whole)?;
                 let stages = medians(&surface.timed(batch, frames.clamp(1, 5), true));

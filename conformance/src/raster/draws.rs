@@ -17,7 +17,7 @@ const MOST: [f64; 2] = [3.0, 0.3];
 
 fn on_device(bench: &Bench, scene: &Scene, frames: usize) -> Result<Measure, String> {
     match &batches(scene)[..] {
-        [batch] => bench.measure(batch, scene.size, 1, frames),
+        [batch] => bench.measure(batch, scene.size, 1, frames, None),
         more => {
             let ms = bench.frames_of(more, scene.size, frames)?;
             Ok(Measure { ms, stages: Vec::new(), memory: Vec::new(), pixels: None })

@@ -24,12 +24,22 @@ pub fn floor(scene: &Scene) -> f64 {
     (input_bytes(scene) + 4.0 * scene.size[0] as f64 * scene.size[1] as f64) / BYTES_A_MS
 }
 
-fn limits(section: &mut Section, id: u32, size: [u32; 2], ms: f64) {
+/// Most bytes between the input and the pixels, by the input's.
+const MEMORY_BY_INPUT: f64 = 2.0;
+
+/// Whether a scene is drawn in its time, in memory too where that was bounded.
+fn limits(section: &mut Section, scene: &Scene, id: u32, m: &Measure, bounded: bool) {
     let k = id as usize - 1;
-    match size[1] {
-        1080 => section.limit(format!("S{id} at 1920x1080, ms"), ms, MOST[k]),
-        2160 => section.limit(format!("S{id} at 3840x2160 against CUDARaster, ms"), ms, CUDARASTER_2160[k]),
+    let [width, height] = scene.size;
+    let within = if bounded { ", memory bounded" } else { "" };
+    match height {
+        1080 => section.limit(format!("S{id} at 1920x1080{within}, ms"), m.ms[1], MOST[k]),
+        2160 => section.limit(format!("S{id} at 3840x2160 against CUDARaster{within}, ms"), m.ms[1], CUDARASTER_2160[k]),
         _ => {}
+    }
+    if bounded {
+        let ratio = m.intermediate() as f64 / input_bytes(scene);
+        section.limit(format!("S{id} at {width}x{height}{within}: intermediate memory by input"), ratio, MEMORY_BY_INPUT);
     }
 }
 
@@ -53,8 +63,9 @@ fn stage_row(first: &[String], m: &Measure) -> Vec<String> {
 fn memory_row(first: &[String], scene: &Scene, m: &Measure) -> Vec<String> {
     let mib = |bytes: u64| bytes as f64 / (1 << 20) as f64;
     let ratio = m.intermediate() as f64 / input_bytes(scene);
-    let detail = m.memory.iter().filter(|(_, b)| *b >= 1 << 20).map(|(name, b)| format!("{name} {:.0}", mib(*b))).collect::<Vec<_>>();
-    let numbers = [mib(input_bytes(scene) as u64), mib(m.total()), mib(m.intermediate())].map(|v| format!("{v:.1}"));
+    let large = m.memory.iter().filter(|(_, bytes)| bytes * 20 >= m.intermediate());
+    let detail = large.map(|(name, bytes)| format!("{name} {:.3}", mib(*bytes))).collect::<Vec<_>>();
+    let numbers = [mib(input_bytes(scene) as u64), mib(m.total()), mib(m.intermediate())].map(|v| format!("{v:.3}"));
     [first, &numbers, &[format!("{ratio:.2}"), detail.join(", ")]].concat()
 }
 
@@ -65,21 +76,25 @@ pub fn run(options: &Options, benches: &[Bench]) -> Result<Section, String> {
         "Scenes S1 to S6",
         "Milliseconds of the whole frame, clear to last pixel, vertices resident: on the kernels by time stamps on the device, on the CPU by the clock. \
          The scenes are the published ones bit for bit, proven by their hashes. The floor is 20 bytes a vertex, 12 a triangle and 4 a pixel at 4.23 TB/s, \
-         which is what an H200's memory moves; on another device it is a unit and no more.",
+         which is what an H200's memory moves; on another device it is a unit and no more. With memory bounded, TEPUI_GPU_BUDGET is twice the input.",
     );
     let first = ["scene", "size", "samples", "on"];
     let mut times = Table::new("Time", &[&first[..], &["least", "median", "greatest", "Mtri/s", "floor", "by floor", "hash"]].concat());
     let mut stages = Table::new("Time by stage, ms", &[&first[..], &["stages"]].concat());
-    let heads = ["input MiB", "all buffers", "intermediate", "intermediate by input", "buffers of 1 MiB and more"];
+    let heads = ["input MiB", "all buffers", "intermediate", "intermediate by input", "largest buffers"];
     let mut memory = Table::new("Memory on the device, MiB", &[&first[..], &heads].concat());
     progress(&times.heads);
     for size in sizes(options) {
         for &id in &options.scenes {
             let scene = Scene::new(id, size)?;
             let batch = batch(&scene)?;
-            for (bench, &samples) in benches.iter().flat_map(|b| options.samples.iter().map(move |s| (b, s))) {
-                let names = [format!("S{id}"), format!("{}x{}", size[0], size[1]), samples.to_string(), bench.short().to_owned()];
-                let m = match bench.measure(&batch, size, samples, options.frames) {
+            let all = benches.iter().flat_map(|b| options.samples.iter().map(move |s| (b, s)));
+            let ways = all.flat_map(|(b, &s)| [false, true].map(|bounded| (b, s, bounded)));
+            for (bench, samples, bounded) in ways.filter(|(bench, samples, bounded)| !bounded || bench.is_hardware() && *samples == 1) {
+                let on = if bounded { format!("{}, bounded", bench.short()) } else { bench.short().to_owned() };
+                let names = [format!("S{id}"), format!("{}x{}", size[0], size[1]), samples.to_string(), on];
+                let budget = bounded.then_some((input_bytes(&scene) * MEMORY_BY_INPUT) as u64);
+                let m = match bench.measure(&batch, size, samples, options.frames, budget) {
                     Ok(m) => m,
                     Err(why) => {
                         section.leave_out(format!("{}: {why}", names.join(" ")));
@@ -97,12 +112,7 @@ pub fn run(options: &Options, benches: &[Bench]) -> Result<Section, String> {
                     memory.rows.push(memory_row(&names, &scene, &m));
                 }
                 if bench.is_hardware() && samples == 1 {
-                    limits(&mut section, id, size, m.ms[1]);
-                    section.limit(
-                        format!("S{id} at {}x{}: intermediate memory by input", size[0], size[1]),
-                        m.intermediate() as f64 / input_bytes(&scene),
-                        2.0,
-                    );
+                    limits(&mut section, &scene, id, &m, bounded);
                 }
                 if bench.is_hardware() && (id, size[1]) == (3, 1080) && matches!(samples, 4 | 8) {
                     section.limit(format!("S3 with {samples} samples, ms"), m.ms[1], if samples == 4 { 0.75 } else { 1.1 });

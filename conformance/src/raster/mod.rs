@@ -45,6 +45,8 @@ pub enum Case {
     Draws,
     /// The size of batches.
     Batches,
+    /// Memory against run time.
+    Budgets,
     /// A frame of very many triangles.
     Huge,
     /// The same scenes, and T1 to T6, on other implementations of OpenGL.
@@ -57,7 +59,7 @@ pub enum Case {
 #[derive(Args)]
 pub struct Options {
     /// What to measure.
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "frames,areas,modes,draws,batches,huge,against,study")]
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "frames,areas,modes,draws,batches,budgets,huge,against,study")]
     cases: Vec<Case>,
     /// Which of the scenes S1 to S6.
     #[arg(long, value_delimiter = ',', default_value = "1,2,3,4,5,6")]
@@ -114,6 +116,7 @@ fn run(case: Case, options: &Options, benches: &[Bench], implementations: &mut [
             Ok(section)
         }
         Case::Batches => sweeps::batches(options, benches),
+        Case::Budgets => sweeps::budgets(options, benches),
         Case::Huge => sweeps::huge(options, benches),
     }
 }

@@ -5,6 +5,7 @@ use tepui::draw::Batch;
 use super::Options;
 use super::batch::batch;
 use super::bench::Bench;
+use super::frames::input_bytes;
 use super::scenes::{SIZES, Scene};
 use super::section::{Plot, Section, Table, progress};
 
@@ -33,7 +34,7 @@ pub fn areas(options: &Options, benches: &[Bench]) -> Result<Section, String> {
         for bench in benches {
             let triangles = how_many(area, bench.is_hardware());
             let scene = Scene::layers(area, triangles, SIZES[0]);
-            match bench.measure(&batch(&scene)?, SIZES[0], 1, options.frames) {
+            match bench.measure(&batch(&scene)?, SIZES[0], 1, options.frames, None) {
                 Ok(m) => {
                     let ns = m.ms[1] * 1e6 / triangles as f64;
                     plot.point(bench.short(), area, ns);
@@ -64,7 +65,7 @@ pub fn modes(options: &Options, benches: &[Bench]) -> Result<Section, String> {
         let scene = Scene::named(&format!("S{id}+{mode}"), SIZES[0])?;
         let batch = batch(&scene)?;
         for (bench, samples) in benches.iter().flat_map(|b| [1, 2, 4, 8].map(|s| (b, s))) {
-            match bench.measure(&batch, SIZES[0], samples, options.frames) {
+            match bench.measure(&batch, SIZES[0], samples, options.frames, None) {
                 Ok(m) => {
                     let row = [format!("S{id}"), mode.to_owned(), samples.to_string(), bench.short().to_owned()];
                     let row = [&row[..], &m.ms.map(|v| format!("{v:.3}"))].concat();
@@ -129,6 +130,47 @@ pub fn batches(options: &Options, benches: &[Bench]) -> Result<Section, String> 
                     }
                     Err(why) => section.leave_out(format!("S{id} in {parts} batches on {}: {why}", bench.short())),
                 }
+            }
+        }
+    }
+    (section.tables, section.plots) = (vec![table], vec![plot]);
+    Ok(section)
+}
+
+/// S1 to S6 with less and less memory between the input and the pixels.
+pub fn budgets(options: &Options, benches: &[Bench]) -> Result<Section, String> {
+    let mut section = Section::new(
+        "budgets",
+        "Memory against run time",
+        "S1 to S6 at 1920x1080 with TEPUI_GPU_BUDGET at a multiple of the input (20 bytes a vertex, 12 a triangle): keys go by bands of rows, primitives and vertices by \
+         slices. What clipping makes and what is too small to cut comes on top. On kernels whose front end is the host the budget is not looked at.",
+    );
+    let mut table = Table::new("", &["scene", "on", "budget by input", "intermediate by input", "MiB", "ms"]);
+    let mut plot = Plot::new("Memory against run time", "intermediate memory by input", "ms a frame");
+    progress(&table.heads);
+    for &id in &options.scenes {
+        let scene = Scene::new(id, SIZES[1])?;
+        let (batch, input) = (batch(&scene)?, input_bytes(&scene));
+        for (bench, budget) in benches.iter().flat_map(|b| [0.75, 1.0, 1.5, 2.0, 4.0, f64::INFINITY].map(|m| (b, m))) {
+            let bytes = budget.is_finite().then_some((input * budget) as u64);
+            match bench.measure(&batch, SIZES[1], 1, options.frames, bytes) {
+                Ok(m) if m.memory.is_empty() => break,
+                Ok(m) => {
+                    let ratio = m.intermediate() as f64 / input;
+                    plot.point(&format!("S{id}, {}", bench.short()), ratio, m.ms[1]);
+                    let mib = m.intermediate() as f64 / (1 << 20) as f64;
+                    let row = [
+                        format!("S{id}"),
+                        bench.short().into(),
+                        budget.to_string(),
+                        format!("{ratio:.2}"),
+                        format!("{mib:.3}"),
+                        format!("{:.3}", m.ms[1]),
+                    ];
+                    progress(&row);
+                    table.rows.push(row.to_vec());
+                }
+                Err(why) => section.leave_out(format!("S{id} with {budget} times its input on {}: {why}", bench.short())),
             }
         }
     }

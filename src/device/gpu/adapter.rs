@@ -71,6 +71,8 @@ pub struct Config {
     pub shape: Shape,
     /// Most bytes of a buffer that grows with a batch.
     pub buffer_limit: u64,
+    /// Most bytes of all that lies between a batch's input and its pixels, as far as cutting it helps.
+    pub budget: u64,
     /// Most bytes of a plane of the widest format: larger surfaces are the CPU executor's.
     pub plane_limit: u64,
     /// Triangles from which on a segment is drawn by keys, where its state and the device allow it.
@@ -136,6 +138,8 @@ const DIRECT_UPTO: u32 = 512;
 
 /// Most bytes of a buffer that grows with a batch; larger batches are drawn in slices.
 const BUFFER_LIMIT: u64 = 256 << 20;
+/// Most bytes of all of them.
+const BUDGET: u64 = 1 << 30;
 
 fn open() -> Result<Gpu, String> {
     let adapter = adapter()?;
@@ -197,6 +201,7 @@ fn open() -> Result<Gpu, String> {
     let config = Config {
         shape,
         buffer_limit,
+        budget: std::env::var("TEPUI_GPU_BUDGET").ok().and_then(|v| v.parse().ok()).unwrap_or(BUDGET),
         plane_limit,
         visible_from: visible::WORTH_IT,
         visible_pixels: visible::WORTH_IT_PIXELS,

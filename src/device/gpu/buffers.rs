@@ -13,7 +13,7 @@ impl Growing {
     /// A small buffer.
     pub fn new(device: &wgpu::Device, label: &'static str, usage: wgpu::BufferUsages) -> Growing {
         let usage = usage | wgpu::BufferUsages::COPY_DST;
-        Growing { label, usage, buffer: create(device, label, usage, 4096), generation: 0 }
+        Growing { label, usage, buffer: create(device, label, usage, 0), generation: 0 }
     }
 
     /// At least `bytes` large.

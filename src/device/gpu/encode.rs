@@ -8,7 +8,6 @@ use bytemuck::cast_slice;
 use super::adapter::Shape;
 use super::clears::{absorb_clears, clear_params};
 use super::fine::{FineKey, feature};
-use super::front::Slice;
 use super::host_front::HostFront;
 use super::params::{FrontParams, Params, SEGMENT_WORDS};
 use super::records::{DRAW_WORDS, pack_draw};
@@ -31,20 +30,31 @@ pub enum Action {
     Clear(Params),
     /// A clear of all pixels that the segment behind it does.
     Absorbed,
-    /// Cull, set up and clip the primitives of the segments that follow; its parameters, and what the kernels contain (`stage::front`).
-    Front(FrontParams, u32),
+    /// Cull, set up and clip the primitives of the segments that follow.
+    Front(Box<FrontAction>),
     /// Draw a segment by lists.
     Draw(Box<DrawAction>),
     /// Draw a segment by keys.
     Visible(Box<VisibleAction>),
 }
 
+/// A slice of primitives to set up.
+#[derive(Default)]
+pub struct FrontAction {
+    /// Parameters.
+    pub params: FrontParams,
+    /// What the kernels contain: `stage::front::*`.
+    pub features: u32,
+    /// Where vertices are shaded slice by slice, what shades its own: see [`Plan::vertex`].
+    pub vertex: Vec<(usize, FrontParams)>,
+}
+
 /// A segment to draw by keys: see `shaders/visible.wgsl`.
 pub struct VisibleAction {
     /// Parameters of the surface.
     pub params: Params,
-    /// Parameters of its primitives.
-    pub front: FrontParams,
+    /// Parameters of its primitives, for each band of rows that has keys in its turn.
+    pub bands: Vec<FrontParams>,
     /// What shades it.
     pub key: FineKey,
     /// The draw that names its program.
@@ -96,14 +106,20 @@ pub struct Plan {
     pub queue_words: u32,
     /// The queue, where the host fills it.
     pub queue: Vec<u32>,
+    /// What shades all vertices: for each program a draw that runs it, and parameters. Empty where slices shade their own.
+    pub vertex: Vec<(usize, FrontParams)>,
+    /// Most rows that have keys at a time.
+    pub key_rows: u32,
 }
 
 impl Plan {
-    fn push(&mut self, place: Place, action: Action) {
+    /// Appends an action.
+    pub fn push(&mut self, place: Place, action: Action) {
         self.actions.push((place, action));
     }
 
-    fn draw(&mut self, place: Place, segment: Segment, mut params: Params, triangles: Option<u32>, blocks: u32, list_blocks: u32) {
+    /// Appends a segment by lists, or by tiles alone.
+    pub fn draw(&mut self, place: Place, segment: Segment, mut params: Params, triangles: Option<u32>, blocks: u32, list_blocks: u32) {
         let bins = params.bins[0] * params.bins[1];
         params.segment = self.segments.len() as u32 / SEGMENT_WORDS;
         params.action = self.actions.len() as u32;
@@ -126,23 +142,28 @@ impl Plan {
             params.draws += segment.draw * DRAW_WORDS as u32;
         }
         let front = visible::set_up(triangles, tiles, first, &mut self.queue, front_base(&params));
+        self.key_rows = params.size[1];
         let draw = segment.draw;
-        self.push(place, Action::Visible(Box::new(VisibleAction { params, front, key: segment.finish(), draw })));
+        self.push(place, Action::Visible(Box::new(VisibleAction { params, bands: vec![front], key: segment.finish(), draw })));
     }
 
-    fn visible(&mut self, step: usize, segment: Segment, primitives: std::ops::Range<u32>, mut params: Params, room: &Room) {
+    /// A segment by keys, in bands of rows. It takes so many words of the queue.
+    pub fn visible(&mut self, step: usize, segment: Segment, mut params: Params, front: FrontParams, rows: u32, queue_words: u32) {
         params.action = self.actions.len() as u32;
-        let place = Place { step, primitive: primitives.start };
-        let (front, words) = visible::params(room, primitives, front_base(&params));
-        self.queue_words = self.queue_words.max(words);
+        let place = Place { step, primitive: front.first_primitive };
+        self.queue_words = self.queue_words.max(queue_words);
+        self.key_rows = self.key_rows.max(rows);
+        let all = params.size[1];
+        let bands =
+            (0..all).step_by(rows as usize).map(|row| FrontParams { first_row: row, end_row: all.min(row + rows), ..front }).collect();
         let draw = segment.draw;
-        self.push(place, Action::Visible(Box::new(VisibleAction { params, front, key: segment.finish(), draw })));
+        self.push(place, Action::Visible(Box::new(VisibleAction { params, bands, key: segment.finish(), draw })));
     }
 }
 
-/// What the kernels of keys know of the surface.
-fn front_base(params: &Params) -> FrontParams {
-    FrontParams { top_first: params.top_first, zero: params.zero, ..FrontParams::default() }
+/// What kernels of the front end know of the surface.
+pub fn front_base(params: &Params) -> FrontParams {
+    FrontParams { top_first: params.top_first, zero: params.zero, end_row: params.size[1], ..FrontParams::default() }
 }
 
 fn align4(words: &mut Vec<u32>) -> u32 {
@@ -190,11 +211,17 @@ pub struct Planner<'a> {
 
 impl Planner<'_> {
     /// Whether a segment of so many triangles is one for keys, if its state is.
-    fn keys_from(&self, triangles: usize) -> bool {
+    pub fn keys_from(&self, triangles: usize) -> bool {
         self.shape.keys64 && self.format.samples == 1 && triangles as u64 >= self.visible_from as u64
     }
 
-    fn base(&self) -> Params {
+    /// Bins of the surface.
+    pub fn bins(&self) -> u32 {
+        self.size.map(|s| s.div_ceil(BIN_SIZE)).iter().product()
+    }
+
+    /// Parameters that all actions share.
+    pub fn base(&self) -> Params {
         Params {
             size: self.size,
             bins: self.size.map(|s| s.div_ceil(BIN_SIZE)),
@@ -208,7 +235,7 @@ impl Planner<'_> {
     }
 
     /// The records of draws, textures and stipples.
-    fn records(&self, heap: &Heap) -> Vec<u32> {
+    pub fn records(&self, heap: &Heap) -> Vec<u32> {
         let batch = self.batch;
         let mut words = vec![0; batch.draws.len() * DRAW_WORDS];
         let stipples = align4(&mut words);
@@ -299,167 +326,6 @@ impl Planner<'_> {
         }
         absorb_clears(&mut plan.actions, format, false);
         plan
-    }
-
-    /// The batch's clears, and its primitives as runs that one fine kernel can serve.
-    fn pieces(&self) -> Vec<Piece> {
-        let (batch, base) = (self.batch, self.base());
-        let mut pieces = Vec::new();
-        let mut draw = 0;
-        for (step, what) in batch.steps.iter().enumerate() {
-            let (first, end) = match *what {
-                Step::Primitives { first, end } => (first, end),
-                Step::Clear(ref clear) => {
-                    pieces.extend(clear_params(clear, base, self.format).map(|params| Piece::Clear(step, params)));
-                    continue;
-                }
-            };
-            let mut open: Option<Run> = None;
-            while draw < batch.draws.len() && batch.draw_primitives(draw).end <= first {
-                draw += 1;
-            }
-            while draw < batch.draws.len() && batch.draw_primitives(draw).start < end {
-                let range = batch.draw_primitives(draw);
-                let primitives = range.start.max(first)..range.end.min(end);
-                let needs = needs(batch, draw, self.format);
-                let filled = visible::is_filled(batch, draw);
-                if !open.as_mut().is_some_and(|run| run.filled == filled && run.segment.admit(&needs, batch, draw as u32)) {
-                    pieces.extend(open.take().map(Piece::Run));
-                    let segment = Segment::new(&needs, self.format, draw as u32);
-                    open = Some(Run { step, first_draw: draw, segment, primitives: primitives.clone(), filled });
-                }
-                if let Some(run) = &mut open {
-                    run.primitives.end = primitives.end;
-                }
-                if range.end > end {
-                    break;
-                }
-                draw += 1;
-            }
-            pieces.extend(open.take().map(Piece::Run));
-        }
-        pieces
-    }
-
-    /// The plan of a batch that kernels set up, and the slices' tables, which go behind `table_base` words of the front end's records.
-    pub fn kernels(&self, heap: &Heap, table_base: u32) -> (Plan, Vec<u32>) {
-        let base = self.base();
-        let mut plan = Plan { records: self.records(heap), ..Plan::default() };
-        let mut slices = Slices { planner: self, open: None, tables: Vec::new(), table_base };
-        for piece in self.pieces() {
-            match piece {
-                Piece::Clear(step, params) => plan.push(Place { step, primitive: 0 }, Action::Clear(params)),
-                Piece::Run(mut run) => {
-                    // Whether a triangle needs the division by w is not known here.
-                    run.segment.key.features |= feature::PERSPECTIVE;
-                    let program = &self.batch.draws[run.segment.draw as usize].fragment_program;
-                    if self.keys_from(run.primitives.len())
-                        && self.room.slice_triangles >= self.visible_from
-                        && run.filled
-                        && visible::serves(&run.segment.key, program)
-                    {
-                        let (all, most) = (run.primitives.clone(), self.room.slice_triangles.max(1));
-                        for first in all.clone().step_by(most as usize) {
-                            let primitives = first..all.end.min(first.saturating_add(most));
-                            plan.visible(run.step, run.segment.clone(), primitives, base, self.room);
-                        }
-                    } else {
-                        slices.add(&mut plan, run);
-                    }
-                }
-            }
-        }
-        slices.close(&mut plan);
-        absorb_clears(&mut plan.actions, self.format, self.shape.vectors());
-        (plan, slices.tables)
-    }
-}
-
-/// A part of a batch.
-enum Piece {
-    /// A clear in a step.
-    Clear(usize, Params),
-    /// Primitives.
-    Run(Run),
-}
-
-/// Primitives of a step that one fine kernel can serve.
-struct Run {
-    step: usize,
-    first_draw: usize,
-    segment: Segment,
-    primitives: std::ops::Range<u32>,
-    /// All of them are filled triangles.
-    filled: bool,
-}
-
-/// Cuts runs into slices that fit the buffers, and slices into segments that fit the lists.
-struct Slices<'a> {
-    planner: &'a Planner<'a>,
-    /// The action of the open slice, and the slice.
-    open: Option<(usize, Slice)>,
-    tables: Vec<u32>,
-    table_base: u32,
-}
-
-impl Slices<'_> {
-    fn add(&mut self, plan: &mut Plan, run: Run) {
-        let Planner { batch, room, .. } = *self.planner;
-        let base = self.planner.base();
-        let bins = base.bins[0] * base.bins[1];
-        let most = room.segment_triangles(bins);
-        let (mut at, mut draw) = (run.primitives.start, run.first_draw);
-        while at < run.primitives.end {
-            // A segment: as much of the run as the lists and the slice take.
-            let place = Place { step: run.step, primitive: at };
-            let (_, slice) = self.open.get_or_insert_with(|| {
-                // Its parameters are known when it is full.
-                plan.push(place, Action::Front(FrontParams::default(), 0));
-                (plan.actions.len() - 1, Slice::new(self.planner.shape, plan.segments.len() as u32 / SEGMENT_WORDS))
-            });
-            let (first, mut triangles) = (at, 0);
-            while at < run.primitives.end {
-                let end = batch.draw_primitives(draw).end.min(run.primitives.end);
-                if end <= at {
-                    draw += 1;
-                    continue;
-                }
-                let weight = slice.weight(batch, draw);
-                // A segment takes at least one primitive, whatever it weighs.
-                let left = if at == first { ((most - triangles) / weight).max(1) } else { (most - triangles) / weight };
-                let fits = left.min(slice.fits(room, batch, draw)).min(end - at);
-                if fits == 0 {
-                    break;
-                }
-                slice.add(batch, draw, fits);
-                triangles = (triangles + fits * weight).min(most);
-                at += fits;
-            }
-            let full = at < run.primitives.end && slice.fits(room, batch, draw) == 0;
-            if at > first {
-                let mut segment = run.segment.clone();
-                let direct = self.planner.shape.vectors() && triangles <= self.planner.direct_upto;
-                let (blocks, list_blocks) = if direct {
-                    segment.key.features |= feature::DIRECT;
-                    // Nothing grows with them.
-                    (u32::MAX, 0)
-                } else {
-                    (room.segment_blocks(triangles, bins), room.lists(triangles, bins))
-                };
-                slice.segment(first..at, blocks);
-                plan.draw(place, segment, base, None, blocks, list_blocks);
-            }
-            if full {
-                self.close(plan);
-            }
-        }
-    }
-
-    fn close(&mut self, plan: &mut Plan) {
-        if let Some((action, slice)) = self.open.take() {
-            let params = slice.finish(self.planner.room, self.planner.base(), &mut self.tables, self.table_base, action as u32);
-            plan.actions[action].1 = Action::Front(params, slice.features);
-        }
     }
 }
 

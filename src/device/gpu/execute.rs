@@ -5,6 +5,7 @@ use std::sync::Arc;
 use bytemuck::{bytes_of, cast_slice};
 
 use super::adapter::Gpu;
+use super::budget::SMALL_BUFFERS;
 use super::buffers::{Growing, create};
 use super::clears::writes_whole;
 use super::encode::{Action, DrawAction, Place, Plan, Planner, VisibleAction, place_lists};
@@ -15,6 +16,7 @@ use super::host_front::HostFront;
 use super::kernels::{Kernels, TEXELS};
 use super::params::{FrontParams, Params, SEGMENT_WORDS, Status, fresh, indirect};
 use super::profile::{Profile, StageTime};
+use super::records::DRAW_WORDS;
 use super::room::Room;
 use super::stage::{CLEAR_ROWS, LARGE_ITEMS, Offers, Stage, VISIBLE_LANES, Visible, emit_lanes};
 use super::stats;
@@ -26,10 +28,8 @@ use crate::draw::{Batch, Step, recycle};
 use crate::raster::layout::BIN_SIZE;
 use crate::raster::runs;
 
-/// Distance of two dispatches' parameters, a multiple of every device's alignment.
-const PARAMS_STRIDE: usize = 512;
-/// Where in them a second block lies.
-const SECOND_PARAMS: usize = 256;
+/// Distance of two blocks of parameters, a multiple of every device's alignment.
+const PARAMS_STRIDE: usize = 256;
 
 /// Workgroups of the visible path's clip kernel and of its kernel for large triangles: enough to fill the largest GPUs.
 const CLIP_GROUPS: u32 = 256;
@@ -59,7 +59,7 @@ pub struct Buffers {
     params: Growing,
     indirect: Growing,
     /// The visible path's keys, made when they are first wanted, and its queue.
-    keys: Option<wgpu::Buffer>,
+    keys: Option<Keys>,
     queue: Growing,
     status: wgpu::Buffer,
     /// Words of the list buffer that belong to masks: zero between segments.
@@ -124,17 +124,25 @@ pub struct Executor {
     size: [u32; 2],
     format: SurfaceFormat,
     room: Room,
+    /// Most bytes of all that lies between a batch's input and its pixels, as far as cutting it helps.
+    pub budget: u64,
     heap: Heap,
     host_front: HostFront,
     bound: Option<Bound>,
     pending: Option<Pending>,
 }
 
+/// The visible path's keys.
+struct Keys {
+    buffer: wgpu::Buffer,
+    /// Rows that it has room for.
+    rows: u32,
+    generation: u32,
+}
+
 /// A batch's uploads and dispatches, ready to be encoded.
 struct Prepared {
     plan: Plan,
-    /// For each vertex program: a draw that runs it, and blocks of vertices.
-    programs: Vec<(usize, u32)>,
     /// The host has set it up.
     on_host: bool,
 }
@@ -149,6 +157,7 @@ impl Executor {
             size,
             format,
             room: Room::new(kernels.config.buffer_limit, bins_of(size)),
+            budget: kernels.config.budget,
             heap: Heap::new(device, kernels.config.shape),
             kernels,
             host_front: HostFront::default(),
@@ -233,7 +242,7 @@ impl Executor {
             &b.queue,
         ];
         // Generations only grow, so their sum says whether any did.
-        let more = self.heap.generation() as u64 + b.keys.is_some() as u64;
+        let more = self.heap.generation() as u64 + b.keys.as_ref().map_or(0, |keys| keys.generation as u64);
         let generation = growing.iter().map(|g| g.generation as u64).sum::<u64>() + more;
         if self.bound.as_ref().is_some_and(|g| g.generation == generation) {
             return;
@@ -246,7 +255,7 @@ impl Executor {
             let [first, second] = if on_host { [&b.triangles, &b.planes] } else { [&b.primitives, &b.front_records] };
             let [uniforms, first, second, shaded, records, queue] =
                 [&b.uniforms, first, second, &b.shaded, &b.records, &b.queue].map(|g| g.get());
-            let all = [uniforms, first, second, shaded, records, &b.color, &b.depth, keys, queue];
+            let all = [uniforms, first, second, shaded, records, &b.color, &b.depth, &keys.buffer, queue];
             self.group(&self.kernels.visible_layout, &with_texels(&all, &self.heap), &sizes)
         });
         self.bound = Some(Bound {
@@ -305,69 +314,55 @@ impl Executor {
         b.front.upload(device, queue, cast_slice(&plan.segments));
         if !plan.queue.is_empty() {
             b.queue.upload(device, queue, cast_slice(&plan.queue));
-            b.keys.get_or_insert_with(|| keys(self.gpu, self.size));
         }
-        self.upload_params(plan, &[], true)
+        self.upload_params(plan, true)
     }
 
     /// Uploads what the kernels of the front end read.
     fn prepare_kernels(&mut self, batch: &Batch) -> Prepared {
         let Gpu { device, queue, .. } = self.gpu;
         let mut records = FrontRecords::new(batch);
-        let (mut plan, tables) = self.planner(batch).kernels(&self.heap, records.words.len() as u32);
+        let tables_and_records = (records.words.len() + batch.draws.len() * DRAW_WORDS) as u64 * 4 + SMALL_BUFFERS;
+        self.room.available = self.budget.saturating_sub(tables_and_records);
+        let (mut plan, tables) = self.planner(batch).kernels(&self.heap, &records);
         records.words.extend_from_slice(&tables);
         let segments = (plan.segments.len() as u32).next_multiple_of(4);
-        let [mut front_words, mut triangles, mut planes, mut pool] = [segments as u64 + 4, 0, 0, 0];
+        let [mut front_words, mut triangles, mut planes, mut shaded] = [segments as u64 + 4, 0, 0, 0];
+        let shaded_vec4 = |params: &FrontParams| params.shaded_count as u64 + params.pool_capacity as u64;
         for (_, action) in &mut plan.actions {
             if let Action::Visible(action) = action {
-                action.front.pool_base = batch.shaded_vec4;
-                action.front.state_base = records.state_base;
-                pool = pool.max(action.front.pool_capacity as u64);
+                shaded = action.bands.iter().map(shaded_vec4).fold(shaded, u64::max);
             }
-            if let Action::Front(params, _) = action {
+            if let Action::Front(action) = action {
+                let params = &mut action.params;
                 params.sums_base = segments;
                 params.queue_base += segments;
-                params.pool_base = batch.shaded_vec4;
-                params.state_base = records.state_base;
                 params.list_lanes = self.kernels.config.shape.list_lanes;
                 front_words = front_words.max(params.queue_base as u64 + 4 + params.queue_capacity as u64 * 4);
                 triangles = triangles.max(params.triangle_capacity as u64);
                 planes = planes.max(params.plane_capacity as u64);
-                pool = pool.max(params.pool_capacity as u64);
+                shaded = shaded.max(shaded_vec4(params));
             }
         }
         let b = &mut self.buffers;
         b.vertices.upload(device, queue, cast_slice(&batch.vertices));
         b.primitives.upload(device, queue, cast_slice(&batch.primitives));
         b.front_records.upload(device, queue, cast_slice(&records.words));
-        b.shaded.reserve(device, (batch.shaded_vec4 as u64 + pool) * 16);
+        b.shaded.reserve(device, shaded * 16);
         b.triangles.reserve(device, triangles * size_of::<crate::raster::layout::Triangle>() as u64);
         b.planes.reserve(device, planes * 16);
         b.front.reserve(device, front_words * 4);
         b.queue.reserve(device, plan.queue_words as u64 * 4);
-        if plan.queue_words > 0 && b.keys.is_none() {
-            b.keys = Some(keys(self.gpu, self.size));
-        }
-        let programs: Vec<_> = (records.programs.iter())
-            .map(|&(draw, block_base, vertex_blocks)| {
-                let params = FrontParams {
-                    block_base,
-                    vertex_blocks,
-                    state_base: records.state_base,
-                    top_first: self.format.top_first as u32,
-                    zero: -0.0,
-                    ..FrontParams::default()
-                };
-                (draw, params)
-            })
-            .collect();
-        self.upload_params(plan, &programs, false)
+        self.upload_params(plan, false)
     }
 
     /// Places lists and parameters and uploads what is left.
-    fn upload_params(&mut self, mut plan: Plan, programs: &[(usize, FrontParams)], on_host: bool) -> Prepared {
+    fn upload_params(&mut self, mut plan: Plan, on_host: bool) -> Prepared {
         let Gpu { device, queue, .. } = self.gpu;
         let b = &mut self.buffers;
+        if b.keys.as_ref().map_or(0, |keys| keys.rows) < plan.key_rows {
+            b.keys = Some(Keys::new(self.gpu, self.size[0], plan.key_rows, b.keys.take()));
+        }
         let most = plan.mask_words.max(b.mask_capacity);
         let mut list_words = 0;
         for (_, action) in &mut plan.actions {
@@ -388,20 +383,29 @@ impl Executor {
         b.records.upload(device, queue, cast_slice(&plan.records));
         let segments = plan.segments.len() as u64 / SEGMENT_WORDS as u64;
         b.indirect.reserve(device, (indirect::SEGMENTS as u64 + segments * indirect::SEGMENT_WORDS as u64) * 4);
-        let mut bytes = vec![0u8; (programs.len() + plan.actions.len()) * PARAMS_STRIDE];
-        let actions = plan.actions.iter().map(|(_, action)| match action {
-            Action::Clear(params) => [bytes_of(params), &[]],
-            Action::Absorbed => [&[], &[]] as [&[u8]; 2],
-            Action::Draw(draw) => [bytes_of(&draw.params), &[]],
-            Action::Front(params, _) => [bytes_of(params), &[]],
-            Action::Visible(visible) => [bytes_of(&visible.params), bytes_of(&visible.front)],
-        });
-        for (words, to) in programs.iter().map(|p| [bytes_of(&p.1), &[]]).chain(actions).zip(bytes.chunks_mut(PARAMS_STRIDE)) {
-            to[..words[0].len()].copy_from_slice(words[0]);
-            to[SECOND_PARAMS..][..words[1].len()].copy_from_slice(words[1]);
+        let mut blocks: Vec<&[u8]> = Vec::new();
+        blocks.extend(plan.vertex.iter().map(|(_, params)| bytes_of(params)));
+        for (_, action) in &plan.actions {
+            match action {
+                Action::Clear(params) => blocks.push(bytes_of(params)),
+                Action::Absorbed => {}
+                Action::Draw(draw) => blocks.push(bytes_of(&draw.params)),
+                Action::Front(front) => {
+                    blocks.extend(front.vertex.iter().map(|(_, params)| bytes_of(params)));
+                    blocks.push(bytes_of(&front.params));
+                }
+                Action::Visible(visible) => {
+                    blocks.push(bytes_of(&visible.params));
+                    blocks.extend(visible.bands.iter().map(|params| bytes_of(params)));
+                }
+            }
+        }
+        let mut bytes = vec![0u8; blocks.len() * PARAMS_STRIDE];
+        for (block, to) in blocks.into_iter().zip(bytes.chunks_mut(PARAMS_STRIDE)) {
+            to[..block.len()].copy_from_slice(block);
         }
         b.params.upload(device, queue, &bytes);
-        Prepared { plan, programs: programs.iter().map(|(draw, params)| (*draw, params.vertex_blocks)).collect(), on_host }
+        Prepared { plan, on_host }
     }
 
     /// Uploads a batch and decides what to dispatch.
@@ -434,7 +438,7 @@ impl Executor {
             let pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             let mut dispatcher = Dispatcher { gpu: self.gpu, kernels: &self.kernels, bound, indirect: b.indirect.get(), pass, profile };
             dispatcher.mark("start");
-            dispatcher.actions(batch, prepared, first_action, self.format);
+            dispatcher.actions(batch, &prepared.plan, first_action, self.format);
             dispatcher.mark("end");
         }
         encoder.copy_buffer_to_buffer(b.indirect.get(), indirect::FAILED as u64 * 4, &b.status, 0, status);
@@ -515,7 +519,7 @@ impl Executor {
         let growing = [&b.uniforms, &b.vertices, &b.primitives, &b.front_records, &b.records, &b.shaded, &b.triangles, &b.planes];
         let growing =
             growing.into_iter().chain([&b.front, &b.lists, &b.params, &b.indirect, &b.queue]).map(|g| (g.label(), g.get().size()));
-        growing.chain(b.keys.as_ref().map(|keys| ("keys", keys.size()))).collect()
+        growing.chain(b.keys.as_ref().map(|keys| ("keys", keys.buffer.size()))).collect()
     }
 }
 
@@ -526,12 +530,19 @@ fn with_texels<'a>(buffers: &[&'a wgpu::Buffer], heap: &'a Heap) -> Vec<wgpu::Bi
     all
 }
 
-/// The visible path's keys: all ones.
-fn keys(gpu: &Gpu, size: [u32; 2]) -> wgpu::Buffer {
-    let bytes = size[0] as usize * size[1] as usize * 8;
-    let buffer = create(&gpu.device, "keys", wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST, bytes as u64);
-    gpu.queue.write_buffer(&buffer, 0, &vec![0xff; bytes]);
-    buffer
+impl Keys {
+    /// All ones, in place of others.
+    fn new(gpu: &Gpu, columns: u32, rows: u32, before: Option<Keys>) -> Keys {
+        let bytes = columns as usize * rows as usize * 8;
+        let buffer = create(&gpu.device, "keys", wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST, bytes as u64);
+        gpu.queue.write_buffer(&buffer, 0, &vec![0xff; bytes]);
+        Keys { buffer, rows, generation: before.map_or(1, |keys| keys.generation + 1) }
+    }
+}
+
+/// Where the next block of parameters lies.
+fn next(params: &mut impl Iterator<Item = u32>) -> [u32; 1] {
+    [params.next().unwrap_or_default()]
 }
 
 /// Bins of a surface.
@@ -587,19 +598,18 @@ impl Dispatcher<'_> {
         self.mark(name);
     }
 
-    fn actions(&mut self, batch: &Batch, prepared: &Prepared, skip: usize, format: SurfaceFormat) {
+    /// All actions but the first `skip`. Their parameters lie one behind the other, as `Executor::upload_params` has put them.
+    fn actions(&mut self, batch: &Batch, plan: &Plan, skip: usize, format: SurfaceFormat) {
         self.pass.set_bind_group(1, &self.bound.indirect, &[]);
-        let offset = |k: usize| (k * PARAMS_STRIDE) as u32;
-        for (k, &(draw, blocks)) in prepared.programs.iter().enumerate() {
-            self.pass.set_bind_group(0, &self.bound.front, &[offset(k)]);
-            self.pass.set_pipeline(&self.kernels.vertex(self.gpu, &batch.draws[draw].vertex_program));
-            self.direct(blocks, "vertex");
-        }
-        for (k, (_, action)) in prepared.plan.actions.iter().enumerate().skip(skip) {
-            let offset = offset(prepared.programs.len() + k);
+        let mut params = (0..).step_by(PARAMS_STRIDE);
+        self.vertex(batch, &plan.vertex, &mut params);
+        for (k, (_, action)) in plan.actions.iter().enumerate() {
             match action {
                 Action::Clear(p) => {
-                    self.pass.set_bind_group(0, &self.bound.stages, &[offset]);
+                    self.pass.set_bind_group(0, &self.bound.stages, &next(&mut params));
+                    if k < skip {
+                        continue;
+                    }
                     self.stage(Stage::Clear(format.color.words() as u32));
                     let columns = (p.clear_max[0] - p.clear_min[0]) as u32;
                     let columns = columns.div_ceil(self.kernels.config.shape.list_lanes);
@@ -608,30 +618,45 @@ impl Dispatcher<'_> {
                     self.mark("clear");
                 }
                 Action::Absorbed => {}
-                Action::Front(p, features) => {
-                    self.pass.set_bind_group(0, &self.bound.front, &[offset]);
-                    self.stage(Stage::Cull(*features));
-                    self.direct(p.groups, "cull");
+                Action::Front(front) => {
+                    self.vertex(batch, &front.vertex, &mut params);
+                    self.pass.set_bind_group(0, &self.bound.front, &next(&mut params));
+                    self.stage(Stage::Cull(front.features));
+                    self.direct(front.params.groups, "cull");
                     self.stage(Stage::Offsets);
                     self.direct(1, "offsets");
-                    self.stage(Stage::Setup(*features));
+                    self.stage(Stage::Setup(front.features));
                     self.indirect(indirect::SETUP, "set-up");
-                    self.stage(Stage::Clip(*features));
+                    self.stage(Stage::Clip(front.features));
                     self.indirect(indirect::CLIP, "clip");
                 }
                 Action::Draw(draw) => {
-                    self.pass.set_bind_group(0, &self.bound.stages, &[offset]);
+                    self.pass.set_bind_group(0, &self.bound.stages, &next(&mut params));
                     self.draw(batch, draw);
                 }
                 Action::Visible(action) => {
-                    self.pass.set_bind_group(0, self.bound.visible.as_ref(), &[offset, offset + SECOND_PARAMS as u32]);
-                    self.visible(batch, action);
+                    let [surface] = next(&mut params);
+                    for band in &action.bands {
+                        let [band_params] = next(&mut params);
+                        self.pass.set_bind_group(0, self.bound.visible.as_ref(), &[surface, band_params]);
+                        self.visible(batch, action, band);
+                    }
                 }
             }
         }
     }
 
-    fn visible(&mut self, batch: &Batch, action: &VisibleAction) {
+    /// The vertex stage for each program.
+    fn vertex(&mut self, batch: &Batch, programs: &[(usize, FrontParams)], params: &mut impl Iterator<Item = u32>) {
+        for (draw, p) in programs {
+            self.pass.set_bind_group(0, &self.bound.front, &next(params));
+            self.pass.set_pipeline(&self.kernels.vertex(self.gpu, &batch.draws[*draw].vertex_program));
+            self.direct(p.vertex_blocks, "vertex");
+        }
+    }
+
+    /// A band of rows of a segment by keys.
+    fn visible(&mut self, batch: &Batch, action: &VisibleAction, band: &FrontParams) {
         let p = &action.params;
         let shape = self.kernels.config.shape;
         let offset = shape.host_front && action.key.features & feature::OFFSET != 0;
@@ -639,13 +664,13 @@ impl Dispatcher<'_> {
         let stage = |which| Stage::Visible(which, offers);
         self.stage(stage(Visible::Small));
         if shape.host_front {
-            self.direct(action.front.primitive_count.div_ceil(shape.list_lanes), "small");
-            if action.front.item_capacity > 0 {
+            self.direct(band.primitive_count.div_ceil(shape.list_lanes), "small");
+            if band.item_capacity > 0 {
                 self.stage(stage(Visible::Large));
-                self.direct(action.front.item_capacity.div_ceil(LARGE_ITEMS).min(LARGE_GROUPS), "large");
+                self.direct(band.item_capacity.div_ceil(LARGE_ITEMS).min(LARGE_GROUPS), "large");
             }
         } else {
-            self.direct(action.front.primitive_count.div_ceil(VISIBLE_LANES), "small");
+            self.direct(band.primitive_count.div_ceil(VISIBLE_LANES), "small");
             // Rounds over queues whose length the host does not know.
             self.stage(stage(Visible::Clip));
             self.direct(CLIP_GROUPS, "clip");
@@ -655,8 +680,8 @@ impl Dispatcher<'_> {
             self.direct(1, "end of keys");
         }
         self.pass.set_pipeline(&self.kernels.resolve(self.gpu, &action.key, &batch.draws[action.draw as usize].fragment_program));
-        let all = p.size[0].div_ceil(8) * p.size[1].div_ceil(8);
-        let tiles = if shape.host_front { action.front.tile_count } else { all };
+        let all = p.size[0].div_ceil(8) * (band.end_row - band.first_row).div_ceil(8);
+        let tiles = if shape.host_front { band.tile_count } else { all };
         self.direct(tiles.div_ceil(visible::RESOLVE_LANES / 64), "resolve");
     }
 

@@ -1,6 +1,7 @@
 //! Batches through wgpu compute: the kernels in `shaders/`, the twins of [`crate::raster`]'s stages, on the same records.
 
 mod adapter;
+mod budget;
 mod buffers;
 mod clears;
 mod encode;
@@ -16,6 +17,7 @@ mod profile;
 mod records;
 mod room;
 mod segment;
+mod slices;
 mod source;
 mod stage;
 mod stats;

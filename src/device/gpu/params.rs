@@ -177,6 +177,14 @@ pub struct FrontParams {
     pub tile_base: u32,
     /// Their number.
     pub tile_count: u32,
+    /// First vec4 of the shaded vertices that are there, as the draws count them.
+    pub shaded_base: u32,
+    /// vec4 that are there.
+    pub shaded_count: u32,
+    /// Visible path: the first row that has keys.
+    pub first_row: u32,
+    /// One past the last.
+    pub end_row: u32,
 }
 
 #[cfg(test)]
@@ -276,7 +284,11 @@ mod tests {
             fan_capacity,
             map_base,
             tile_base,
-            tile_count
+            tile_count,
+            shaded_base,
+            shaded_count,
+            first_row,
+            end_row
         );
         assert_eq!(members(files::FRONT, "TpFront"), rust);
     }

@@ -7,11 +7,13 @@ use crate::raster::layout::Triangle;
 /// Most words of masks.
 const MOST_MASK_WORDS: u32 = 8 << 20;
 /// Bytes of a block of 32 list entries: indices, records, tile masks.
-const LIST_BLOCK_BYTES: u64 = (32 * (1 + super::encode::ENTRY_WORDS as u64) + 64) * 4;
+pub const LIST_BLOCK_BYTES: u64 = (32 * (1 + super::encode::ENTRY_WORDS as u64) + 64) * 4;
 
 /// Capacities of a surface's buffers.
 #[derive(Clone, Debug)]
 pub struct Room {
+    /// Bytes that the next batch may take between its input and its pixels: guesses leave less room where it is little.
+    pub available: u64,
     /// Most triangles of a slice, as estimated from its primitives.
     pub slice_triangles: u32,
     /// Most vec4 of planes of a slice, likewise.
@@ -38,12 +40,13 @@ impl Room {
             ..Status::default()
         };
         let mut room = Room {
+            available: u64::MAX,
             slice_triangles: 0,
             slice_planes: 0,
             most_list_blocks: most.list_blocks,
             most_segment_triangles: u32::MAX,
             most,
-            least: Status { pool: 1 << 14, clipped: 1 << 10, list_blocks: 1 << 10, ..Status::default() },
+            least: Status::default(),
         };
         (room.slice_triangles, room.slice_planes) = (shrink(most.triangles), shrink(most.planes));
         room
@@ -68,32 +71,37 @@ impl Room {
 
     /// Triangles of a slice of so many before clipping.
     pub fn triangles(&self, estimate: u32) -> u32 {
-        grow(estimate, 1024).max(self.least.triangles).min(self.most.triangles)
+        grow(estimate, self.slack(1024, size_of::<Triangle>() as u64)).max(self.least.triangles).min(self.most.triangles)
     }
 
     /// vec4 of planes likewise.
     pub fn planes(&self, estimate: u32) -> u32 {
-        grow(estimate, 8192).max(self.least.planes).min(self.most.planes)
+        grow(estimate, self.slack(8192, 16)).max(self.least.planes).min(self.most.planes)
     }
 
     /// Primitives of so many that may be clipped.
     pub fn clipped(&self, primitives: u32) -> u32 {
-        (primitives / 32).max(self.least.clipped).min(self.most.clipped)
+        (primitives / 32).max(self.slack(1 << 10, 32)).max(self.least.clipped).min(self.most.clipped)
     }
 
     /// vec4 of the pool for so many primitives.
     pub fn pool(&self, primitives: u32) -> u32 {
-        (primitives / 8).max(self.least.pool).min(self.most.pool)
+        (primitives / 8).max(self.slack(1 << 14, 8)).max(self.least.pool).min(self.most.pool)
     }
 
     /// Blocks of list entries for so many triangles.
     pub fn lists(&self, triangles: u32, bins: u32) -> u32 {
-        (triangles / 16 + bins).max(self.least.list_blocks).min(self.most_list_blocks)
+        (triangles / 16 + bins).max(self.slack(1 << 10, LIST_BLOCK_BYTES)).max(self.least.list_blocks).min(self.most_list_blocks)
     }
 
     /// Blocks of large triangles of so many.
     pub fn items(&self, primitives: u32) -> u32 {
-        ((primitives / 4).min(1 << 18) + (1 << 14)).max(self.least.items).min(self.most.items)
+        ((primitives / 4).min(1 << 18) + self.slack(1 << 14, 12)).max(self.least.items).min(self.most.items)
+    }
+
+    /// Room for so many items that may come or not, but for a 32nd of what is available at most.
+    fn slack(&self, items: u32, bytes: u64) -> u32 {
+        items.min((self.available / 32 / bytes).min(u32::MAX as u64) as u32)
     }
 
     /// Makes room for what did not fit; cuts slices in half where the device has no more. False where that does not help any more.

@@ -67,7 +67,10 @@ pub fn print(batch: &Batch, plan: &Plan, host: Option<usize>, time: std::time::D
     let [keys, slices] = [count(|a| matches!(a, Action::Visible(_))), count(|a| matches!(a, Action::Front(..)))];
     let set_up = match host {
         Some(triangles) => format!("{triangles} triangles set up by the host"),
-        None => format!("{slices} slices set up by kernels"),
+        None => {
+            let own = plan.actions.iter().any(|a| matches!(&a.1, Action::Front(front) if !front.vertex.is_empty()));
+            format!("{slices} slices set up by kernels{}", if own { " with their own vertices" } else { "" })
+        }
     };
     let mut text = format!(
         "tepui: gpu: {} primitives, {} draws, {set_up}, {} segments, {} clears, {} of them by segments, encoded in {:.2} ms\n",
@@ -79,13 +82,16 @@ pub fn print(batch: &Batch, plan: &Plan, host: Option<usize>, time: std::time::D
         time.as_secs_f64() * 1e3,
     );
     let (mut fine, mut front_end, mut textures, mut samples) = (0, 0, false, false);
-    let mut kernels: Vec<(&FineKey, &str, usize)> = Vec::new();
+    let mut kernels: Vec<(&FineKey, String, usize)> = Vec::new();
     for (_, action) in &plan.actions {
         let (key, way) = match action {
-            Action::Draw(draw) => (&draw.key, if draw.is_direct() { "tiles alone" } else { "lists" }),
-            Action::Visible(visible) => (&visible.key, "keys"),
-            Action::Front(_, features) => {
-                front_end |= features;
+            Action::Draw(draw) => (&draw.key, String::from(if draw.is_direct() { "tiles alone" } else { "lists" })),
+            Action::Visible(visible) => match visible.bands.len() {
+                1 => (&visible.key, String::from("keys")),
+                n => (&visible.key, format!("keys in {n} bands of rows")),
+            },
+            Action::Front(front) => {
+                front_end |= front.features;
                 continue;
             }
             Action::Clear(_) | Action::Absorbed => continue,

@@ -148,6 +148,11 @@ impl GpuSurface {
         if self.bind_for(&mut batch) { self.executor.timed(&batch, frames, stages) } else { Vec::new() }
     }
 
+    /// Other bytes for what lies between a batch's input and its pixels: see [`Config::budget`](super::Config::budget).
+    pub fn set_budget(&mut self, bytes: u64) {
+        self.executor.budget = bytes;
+    }
+
     /// Bytes of the buffers that grow with a batch, by name.
     pub fn memory(&self) -> Vec<(&'static str, u64)> {
         self.executor.memory()

@@ -254,6 +254,22 @@ fn all_ways() -> Vec<(&'static str, Result<GpuDevice, String>)> {
                 (c.direct_upto, c.buffer_limit) = (200, 30_000);
             }),
         ),
+        ("keys in bands of rows", with(|c| (c.visible_from, c.budget) = (1, 250_000))),
+        (
+            "keys in bands of rows, 32 lanes",
+            with(|c| {
+                on_gpu(c, 32);
+                (c.visible_from, c.budget) = (1, 250_000);
+            }),
+        ),
+        ("lists and vertices in slices", with(|c| c.budget = 100_000)),
+        (
+            "vertices in slices, no lists",
+            with(|c| {
+                on_gpu(c, 32);
+                (c.budget, c.direct_upto) = (40_000, 100);
+            }),
+        ),
         ("8 lanes, no subgroups", with(|c| c.shape.subgroup8 = false)),
         ("32 triangles a round", with(|c| c.shape.round_blocks = 1)),
     ]
