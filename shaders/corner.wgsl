@@ -10,7 +10,7 @@ struct TpBasis {
     dy20: f32,
 }
 
-// The vertex that flat varyings come from (vec4 in tp_shaded).
+// The vertex that flat varyings come from (its first vec4).
 var<private> tp_provoking: u32;
 
 // Where planes begin in a pixel: at its centre, but for multisampled primitives at its first corner (setup.rs, to_centre).
@@ -82,16 +82,16 @@ fn tp_depth_planes(t: TpBasis, a: TpCorner, b: TpCorner, c: TpCorner) -> array<v
 // The planes of varying k of a filled triangle.
 fn tp_varying_planes(p: TpPrimitive, k: u32, front: bool, basis: TpBasis, a: TpCorner, b: TpCorner, c: TpCorner) -> array<vec4<f32>, 3> {
     let input = tp_varying(p.record, k, front);
-    var planes = tp_constant(tp_shaded[tp_provoking + input.x]);
+    var planes = tp_constant(tp_read(p.record, tp_provoking + input.x));
     if (input.y == TP_INTERPOLATE_COVERAGE) {
         planes = tp_full_coverage();
     } else if (input.y != TP_INTERPOLATE_FLAT) {
         let w = select(vec3<f32>(1.0), vec3<f32>(a.inv_w, b.inv_w, c.inv_w), input.y == TP_INTERPOLATE_PERSPECTIVE);
         planes = tp_plane(
             basis,
-            tp_mul4(tp_shaded[a.at + input.x], w.x),
-            tp_mul4(tp_shaded[b.at + input.x], w.y),
-            tp_mul4(tp_shaded[c.at + input.x], w.z));
+            tp_mul4(tp_read(p.record, a.at + input.x), w.x),
+            tp_mul4(tp_read(p.record, b.at + input.x), w.y),
+            tp_mul4(tp_read(p.record, c.at + input.x), w.z));
     }
     return planes;
 }

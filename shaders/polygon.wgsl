@@ -20,9 +20,9 @@ fn tp_vertex_at(p: TpPrimitive, corner: u32) -> u32 {
 fn tp_distance(p: TpPrimitive, corner: u32, k: u32) -> f32 {
     let at = tp_vertex_at(p, corner);
     if (k >= 6u) {
-        return tp_shaded[at + tp_front_records[p.record + TP_DRAW_CLIP_DISTANCES] + (k - 6u) / 4u][(k - 6u) & 3u];
+        return tp_read(p.record, at + tp_front_records[p.record + TP_DRAW_CLIP_DISTANCES] + (k - 6u) / 4u)[(k - 6u) & 3u];
     }
-    let v = tp_shaded[at];
+    let v = tp_read(p.record, at);
     let axis = v[k >> 1u];
     // Right, top and (last) far have the minus sign: bits 0, 2 and 5.
     return select(axis, -axis, ((0x25u >> k) & 1u) != 0u) + v.w;
@@ -34,16 +34,16 @@ fn tp_interpolate(p: TpPrimitive, a: u32, b: u32, t: f32) -> u32 {
     let goal = tp_vertex_at(p, b);
     let at = tp_pool + tp_pooled * (p.shaded_stride + 1u);
     for (var k = 0u; k < p.shaded_stride; k++) {
-        let v = tp_shaded[source + k];
-        tp_shaded[at + k] = v + tp_mul4(tp_shaded[goal + k] - v, t);
+        let v = tp_read(p.record, source + k);
+        tp_write_pool(at + k, v + tp_mul4(tp_read(p.record, goal + k) - v, t));
     }
-    let position = tp_shaded[at];
+    let position = tp_read(p.record, at);
     let inv_w = tp_reciprocal(position.w);
     let scale = tp_viewport_scale(p.state);
     let translate = tp_viewport_translate(p.state);
     let ndc = position.xyz * inv_w;
     let window = vec3<f32>(tp_mul(ndc.x, scale.x), tp_mul(ndc.y, scale.y), tp_mul(ndc.z, scale.z)) + translate;
-    tp_shaded[at + p.shaded_stride] = vec4<f32>(window, inv_w);
+    tp_write_pool(at + p.shaded_stride, vec4<f32>(window, inv_w));
     tp_pooled++;
     return tp_pooled + 2u;
 }

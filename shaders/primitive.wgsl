@@ -9,7 +9,7 @@ struct TpPrimitive {
     topology: u32,
     // Edge flags: bit 0 the edge from vertex 0 to 1, and so on.
     edges: u32,
-    // Its vertices' first vec4 in tp_shaded, and what is there: their clip positions.
+    // Its vertices' first vec4 among the shaded ones, and what is there: their clip positions.
     shaded: vec3<u32>,
     positions: array<vec4<f32>, 3>,
     // Clip codes, joined and common, where they are asked for.
@@ -40,7 +40,8 @@ fn tp_primitive(index: u32) -> TpPrimitive {
         v = v.xyy;
     }
     p.shaded = tp_front_records[p.record + TP_DRAW_SHADED_BASE] + v * p.shaded_stride - tf.shaded_base;
-    p.positions = array<vec4<f32>, 3>(tp_shaded[p.shaded.x], tp_shaded[p.shaded.y], tp_shaded[p.shaded.z]);
+    p.positions = array<vec4<f32>, 3>(
+        tp_position(p.record, v.x, p.shaded.x), tp_position(p.record, v.y, p.shaded.y), tp_position(p.record, v.z, p.shaded.z));
     return p;
 }
 
@@ -66,9 +67,9 @@ fn tp_corner(p: TpPrimitive, vertex: u32) -> TpCorner {
     return tp_on_screen(p.positions[vertex], p.shaded[vertex], p.state, p.flags);
 }
 
-// A vertex that clipping made, at `at` of tp_shaded: its place on the screen is behind it.
+// A vertex that clipping made, at `at`: its place on the screen is behind it.
 fn tp_pool_corner(p: TpPrimitive, at: u32) -> TpCorner {
-    let place = tp_shaded[at + p.shaded_stride];
+    let place = tp_read(p.record, at + p.shaded_stride);
     return TpCorner(place.xyz, place.w, vec2<i32>(tp_snap(place.x), tp_snap(place.y)), at);
 }
 

@@ -6,7 +6,7 @@ struct TpCorner {
     position: vec3<f32>,
     inv_w: f32,
     snapped: vec2<i32>,
-    // Its first vec4 in tp_shaded.
+    // Its first vec4 among the shaded vertices.
     at: u32,
 }
 
@@ -36,13 +36,13 @@ fn tp_is_inside(p: vec4<f32>) -> bool {
     return abs(p.x) <= p.w && abs(p.y) <= p.w && abs(p.z) <= p.w && p.w > 0.0 && p.w < 1e37;
 }
 
-// The clip code of the vertex at `at` of tp_shaded, whose clip position is p: the frustum's planes and the user's that it lies behind.
+// The clip code of the vertex at `at` of the shaded ones, whose clip position is p: the frustum's planes and the user's that it lies behind.
 fn tp_clip_code(p: vec4<f32>, at: u32, record: u32, flags: u32) -> u32 {
     var code = 0u;
     let count = tp_front_records[record + TP_DRAW_CLIP_DISTANCE_COUNT];
     let distances = at + tp_front_records[record + TP_DRAW_CLIP_DISTANCES];
     for (var first = 0u; first < count; first += 4u) {
-        code |= tp_user_code(tp_shaded[distances + first / 4u], first, count);
+        code |= tp_user_code(tp_read(record, distances + first / 4u), first, count);
     }
     if ((flags & TP_WINDOW_SPACE) == 0u) {
         code |= tp_frustum_code(p, flags);

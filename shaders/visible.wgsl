@@ -38,8 +38,11 @@
 // Counters (zero between segments), then what they count: blocks of large triangles, primitives to clip, fans.
 @group(0) @binding(9) var<storage, read_write> tp_queue: array<atomic<u32>>;
 //#endif
-@group(0) @binding(10) var<uniform> tp: TpParams;
-@group(0) @binding(11) var<uniform> tf: TpFront;
+//#if SOUP
+@group(0) @binding(10) var<storage, read> tp_vertices: array<f32>;
+//#endif
+@group(0) @binding(11) var<uniform> tp: TpParams;
+@group(0) @binding(12) var<uniform> tf: TpFront;
 
 // Counters: blocks, primitives to clip, vec4 of the pool, triangles of fans.
 const TP_BLOCKS = 0u;

@@ -83,6 +83,9 @@ pub struct Config {
     pub visible_area: u64,
     /// Triangles up to which a segment needs no lists, on a GPU.
     pub direct_upto: u32,
+    /// vec4 of shaded vertices to each pixel of the surface from which on those that no two triangles share are shaded where they are wanted,
+    /// by the visible path. Where memory is short they always are.
+    pub soup_from: u64,
 }
 
 /// An open device.
@@ -135,6 +138,9 @@ pub fn hardware_adapter_present() -> bool {
 
 /// Every tile of the surface looks at so many triangles in less time than lists of them take.
 const DIRECT_UPTO: u32 = 512;
+
+/// So many vec4 of vertices are written and read in the time that a pixel takes to shade three of its own.
+const SOUP_FROM: u64 = 4;
 
 /// Most bytes of a buffer that grows with a batch; larger batches are drawn in slices.
 const BUFFER_LIMIT: u64 = 256 << 20;
@@ -207,6 +213,7 @@ fn open() -> Result<Gpu, String> {
         visible_pixels: visible::WORTH_IT_PIXELS,
         visible_area: visible::WORTH_IT_AREA,
         direct_upto: DIRECT_UPTO,
+        soup_from: SOUP_FROM,
     };
     Ok(Gpu { device, queue, info, config })
 }

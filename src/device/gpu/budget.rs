@@ -5,7 +5,7 @@ use super::room::LIST_BLOCK_BYTES;
 
 /// Most bands of keys: by then lists are faster.
 const MOST_BANDS: u32 = 16;
-/// What small buffers take that hardly depend on a batch: parameters, dispatches, tables.
+/// What small buffers take that hardly depend on a batch: parameters, dispatches, tables. Each slice beyond a handful adds a kilobyte.
 pub const SMALL_BUFFERS: u64 = 8 << 10;
 /// Bytes of a slice's lists, whatever they hold, to each bin: a block begun, tiles, counts.
 const BIN_BYTES: u64 = LIST_BLOCK_BYTES + 64 * 4 + 16;
@@ -23,7 +23,7 @@ pub struct Wanted {
     pub bins: u32,
     /// Bytes of all shaded vertices.
     pub shaded: u64,
-    /// Bytes of the longest queue of the visible path, if segments are to be drawn by keys.
+    /// Bytes of the longest queue of the visible path and of its pool, if segments are to be drawn by keys.
     pub queue: Option<u64>,
     /// Other segments there are too.
     pub slices: bool,
@@ -107,7 +107,7 @@ mod tests {
         // The last band may be lower; none is of a few rows.
         for bytes in (200_000..20_000_000).step_by(100_000) {
             let rows = key_rows(bytes, [1920, 1080]);
-            assert!(rows == 0 || rows == 1080 || (rows % 8 == 0 && rows as u64 * 1920 * 8 <= bytes), "{rows} rows in {bytes} bytes");
+            assert!(rows == 0 || rows == 1080 || (rows.is_multiple_of(8) && rows as u64 * 1920 * 8 <= bytes), "{rows} rows in {bytes} bytes");
         }
     }
 

@@ -53,6 +53,8 @@ pub struct FrontAction {
 pub struct VisibleAction {
     /// Parameters of the surface.
     pub params: Params,
+    /// No two triangles share a vertex: whoever wants one shades it.
+    pub soup: bool,
     /// Parameters of its primitives, for each band of rows that has keys in its turn.
     pub bands: Vec<FrontParams>,
     /// What shades it.
@@ -110,6 +112,8 @@ pub struct Plan {
     pub vertex: Vec<(usize, FrontParams)>,
     /// Most rows that have keys at a time.
     pub key_rows: u32,
+    /// No two triangles share a vertex, and none is kept: see `shaders/shaded.wgsl`.
+    pub soup: bool,
 }
 
 impl Plan {
@@ -144,7 +148,7 @@ impl Plan {
         let front = visible::set_up(triangles, tiles, first, &mut self.queue, front_base(&params));
         self.key_rows = params.size[1];
         let draw = segment.draw;
-        self.push(place, Action::Visible(Box::new(VisibleAction { params, bands: vec![front], key: segment.finish(), draw })));
+        self.push(place, Action::Visible(Box::new(VisibleAction { params, soup: false, bands: vec![front], key: segment.finish(), draw })));
     }
 
     /// A segment by keys, in bands of rows. It takes so many words of the queue.
@@ -157,7 +161,7 @@ impl Plan {
         let bands =
             (0..all).step_by(rows as usize).map(|row| FrontParams { first_row: row, end_row: all.min(row + rows), ..front }).collect();
         let draw = segment.draw;
-        self.push(place, Action::Visible(Box::new(VisibleAction { params, bands, key: segment.finish(), draw })));
+        self.push(place, Action::Visible(Box::new(VisibleAction { params, soup: self.soup, bands, key: segment.finish(), draw })));
     }
 }
 
@@ -207,6 +211,8 @@ pub struct Planner<'a> {
     pub visible_area: u64,
     /// Triangles up to which a segment needs no lists.
     pub direct_upto: u32,
+    /// vec4 of shaded vertices to each pixel of the surface from which on those that no two triangles share are shaded where they are wanted.
+    pub soup_from: u64,
 }
 
 impl Planner<'_> {

@@ -253,9 +253,9 @@ impl Executor {
             // What primitives are to the kernels of the front end, triangles are that the host has set up.
             let on_host = self.kernels.config.shape.host_front;
             let [first, second] = if on_host { [&b.triangles, &b.planes] } else { [&b.primitives, &b.front_records] };
-            let [uniforms, first, second, shaded, records, queue] =
-                [&b.uniforms, first, second, &b.shaded, &b.records, &b.queue].map(|g| g.get());
-            let all = [uniforms, first, second, shaded, records, &b.color, &b.depth, &keys.buffer, queue];
+            let [uniforms, first, second, shaded, records, queue, vertices] =
+                [&b.uniforms, first, second, &b.shaded, &b.records, &b.queue, &b.vertices].map(|g| g.get());
+            let all = [uniforms, first, second, shaded, records, &b.color, &b.depth, &keys.buffer, queue, vertices];
             self.group(&self.kernels.visible_layout, &with_texels(&all, &self.heap), &sizes)
         });
         self.bound = Some(Bound {
@@ -300,6 +300,7 @@ impl Executor {
             visible_pixels: config.visible_pixels,
             visible_area: config.visible_area,
             direct_upto: config.direct_upto,
+            soup_from: config.soup_from,
         }
     }
 
@@ -328,7 +329,9 @@ impl Executor {
         records.words.extend_from_slice(&tables);
         let segments = (plan.segments.len() as u32).next_multiple_of(4);
         let [mut front_words, mut triangles, mut planes, mut shaded] = [segments as u64 + 4, 0, 0, 0];
-        let shaded_vec4 = |params: &FrontParams| params.shaded_count as u64 + params.pool_capacity as u64;
+        // Where whoever wants a vertex shades it only the pool is there.
+        let kept = |params: &FrontParams| if plan.soup { 0 } else { params.shaded_count as u64 };
+        let shaded_vec4 = |params: &FrontParams| kept(params) + params.pool_capacity as u64;
         for (_, action) in &mut plan.actions {
             if let Action::Visible(action) = action {
                 shaded = action.bands.iter().map(shaded_vec4).fold(shaded, u64::max);
@@ -396,7 +399,7 @@ impl Executor {
                 }
                 Action::Visible(visible) => {
                     blocks.push(bytes_of(&visible.params));
-                    blocks.extend(visible.bands.iter().map(|params| bytes_of(params)));
+                    blocks.extend(visible.bands.iter().map(bytes_of));
                 }
             }
         }
@@ -660,26 +663,30 @@ impl Dispatcher<'_> {
         let p = &action.params;
         let shape = self.kernels.config.shape;
         let offset = shape.host_front && action.key.features & feature::OFFSET != 0;
-        let offers = Offers { lequal: visible::is_lequal(&action.key), depth_bits: action.key.depth_bits, offset };
-        let stage = |which| Stage::Visible(which, offers);
-        self.stage(stage(Visible::Small));
+        let draw = &batch.draws[action.draw as usize];
+        let soup = action.soup.then_some(&*draw.vertex_program);
+        let (lequal, depth_bits) = (visible::is_lequal(&action.key), action.key.depth_bits);
+        let offers = Offers { lequal, depth_bits, offset, soup: soup.map(|program| program.id) };
+        let (gpu, kernels) = (self.gpu, self.kernels);
+        let stage = |which| kernels.stage_with(gpu, Stage::Visible(which, offers), soup);
+        self.pass.set_pipeline(&stage(Visible::Small));
         if shape.host_front {
             self.direct(band.primitive_count.div_ceil(shape.list_lanes), "small");
             if band.item_capacity > 0 {
-                self.stage(stage(Visible::Large));
+                self.pass.set_pipeline(&stage(Visible::Large));
                 self.direct(band.item_capacity.div_ceil(LARGE_ITEMS).min(LARGE_GROUPS), "large");
             }
         } else {
             self.direct(band.primitive_count.div_ceil(VISIBLE_LANES), "small");
             // Rounds over queues whose length the host does not know.
-            self.stage(stage(Visible::Clip));
+            self.pass.set_pipeline(&stage(Visible::Clip));
             self.direct(CLIP_GROUPS, "clip");
-            self.stage(stage(Visible::Large));
+            self.pass.set_pipeline(&stage(Visible::Large));
             self.direct(LARGE_GROUPS, "large");
-            self.stage(stage(Visible::End));
+            self.pass.set_pipeline(&stage(Visible::End));
             self.direct(1, "end of keys");
         }
-        self.pass.set_pipeline(&self.kernels.resolve(self.gpu, &action.key, &batch.draws[action.draw as usize].fragment_program));
+        self.pass.set_pipeline(&kernels.resolve(gpu, &action.key, &draw.fragment_program, soup));
         let all = p.size[0].div_ceil(8) * (band.end_row - band.first_row).div_ceil(8);
         let tiles = if shape.host_front { band.tile_count } else { all };
         self.direct(tiles.div_ceil(visible::RESOLVE_LANES / 64), "resolve");

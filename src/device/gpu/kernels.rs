@@ -31,7 +31,8 @@ pub struct Kernels {
     stages: Cache<Stage>,
     vertex: Cache<u64>,
     fine: Cache<FineKey>,
-    resolve: Cache<FineKey>,
+    /// With the vertex program that they run, if any.
+    resolve: Cache<(FineKey, Option<u64>)>,
 }
 
 /// Which layout a kernel's first bind group has.
@@ -90,8 +91,8 @@ impl Kernels {
         let front_layout = group("tepui front end", &[true, true, true, true, false, false, false, false], false, 1);
         // uniforms, records, triangles, planes, lists, colour, depth, texels, segments; then the parameters.
         let layout = group("tepui stages", &[true, true, true, true, false, false, false, true, true], true, 1);
-        // uniforms, primitives, front records, shaded, records, colour, depth, texels, keys, queue; then two of parameters.
-        let visible = [true, true, true, false, true, false, false, true, false, false];
+        // uniforms, primitives, front records, shaded, records, colour, depth, texels, keys, queue, vertices; then two of parameters.
+        let visible = [true, true, true, false, true, false, false, true, false, false, true];
         // A device that cannot take it never uses it.
         let visible_layout = match config.shape.keys64 {
             true => group("tepui visible", &visible, true, 2),
@@ -123,13 +124,18 @@ impl Kernels {
 
     /// A stage's pipeline.
     pub fn stage(&self, gpu: &Gpu, stage: Stage) -> Arc<wgpu::ComputePipeline> {
+        self.stage_with(gpu, stage, None)
+    }
+
+    /// The same of a stage that runs a vertex program, the one that it names.
+    pub fn stage_with(&self, gpu: &Gpu, stage: Stage, soup: Option<&Program>) -> Arc<wgpu::ComputePipeline> {
         cached(&self.stages, &stage, || {
             let bindings = match stage {
                 Stage::Visible(..) => Bindings::Visible,
                 _ if stage.is_front() => Bindings::Front,
                 _ => Bindings::Stages,
             };
-            self.build(gpu, &format!("{stage:?}"), &stage.source(self.config.shape, &self.constants), bindings, stage.is_indirect())
+            self.build(gpu, &format!("{stage:?}"), &stage.source(self.config.shape, soup, &self.constants), bindings, stage.is_indirect())
         })
     }
 
@@ -149,9 +155,9 @@ impl Kernels {
     }
 
     /// What shades the visible fragments of a segment with a key.
-    pub fn resolve(&self, gpu: &Gpu, key: &FineKey, program: &Program) -> Arc<wgpu::ComputePipeline> {
-        cached(&self.resolve, key, || {
-            self.build(gpu, "Resolve", &resolve_source(key, self.config.shape, program, &self.constants), Bindings::Visible, true)
+    pub fn resolve(&self, gpu: &Gpu, key: &FineKey, program: &Program, soup: Option<&Program>) -> Arc<wgpu::ComputePipeline> {
+        cached(&self.resolve, &(key.clone(), soup.map(|program| program.id)), || {
+            self.build(gpu, "Resolve", &resolve_source(key, self.config.shape, program, soup, &self.constants), Bindings::Visible, true)
         })
     }
 

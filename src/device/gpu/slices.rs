@@ -64,10 +64,25 @@ impl Planner<'_> {
             && visible::serves(&run.segment.key, program)
     }
 
-    /// How the budget cuts pieces.
-    fn cuts(&self, pieces: &[Piece]) -> Cuts {
+    /// Whether no two triangles of a run share a vertex, and one short vertex program shades them all.
+    fn is_soup(&self, run: &Run) -> bool {
+        let program = &self.batch.draws[run.first_draw].vertex_program;
+        let draws = self.batch.draws.iter().enumerate().skip(run.first_draw);
+        let mut draws = draws.take_while(|(_, draw)| draw.first_primitive < run.primitives.end);
+        visible::is_short(program)
+            && draws.all(|(k, draw)| {
+                let unshared = draw.record.vertex_count as usize >= self.batch.draw_primitives(k).len() * 3;
+                unshared && draw.vertex_program.id == program.id && draw.record.shaded_stride as usize == program.outputs.len() + 1
+            })
+    }
+
+    /// How the budget cuts pieces, and whether vertices are shaded where they are wanted: where all segments go by keys.
+    fn cuts(&self, pieces: &[Piece]) -> (Cuts, bool) {
         let runs = || pieces.iter().filter_map(|piece| if let Piece::Run(run) = piece { Some(run) } else { None });
-        let queue = |run: &Run| visible::params(self.room, run.primitives.clone(), FrontParams::default()).1 as u64 * 4;
+        let queue = |run: &Run| {
+            let (params, words) = visible::params(self.room, run.primitives.clone(), FrontParams::default());
+            words as u64 * 4 + params.pool_capacity as u64 * 16
+        };
         let wanted = Wanted {
             size: self.size,
             bins: self.bins(),
@@ -76,17 +91,27 @@ impl Planner<'_> {
             slices: runs().any(|run| !self.goes_by_keys(run)),
             direct: self.shape.vectors() && self.direct_upto > 0,
         };
-        Cuts::new(self.room.available, wanted)
+        let whole = Cuts::new(self.room.available, wanted);
+        // Worth it where vertices are many for the pixels that are shaded, or where their room would cost cuts.
+        let many = self.batch.shaded_vec4 as u64 >= self.soup_from.saturating_mul(self.size[0] as u64 * self.size[1] as u64);
+        let cut = whole.key_rows < self.size[1];
+        if (many || cut) && wanted.queue.is_some() && !wanted.slices && runs().all(|run| self.is_soup(run)) {
+            let cuts = Cuts::new(self.room.available, Wanted { shaded: 0, ..wanted });
+            if cuts.key_rows > 0 {
+                return (cuts, true);
+            }
+        }
+        (whole, false)
     }
 
     /// The plan of a batch that kernels set up, and the tables that go behind the front end's records.
     pub fn kernels(&self, heap: &Heap, records: &FrontRecords) -> (Plan, Vec<u32>) {
         let base = self.base();
         let pieces = self.pieces();
-        let cuts = self.cuts(&pieces);
-        let mut plan = Plan { records: self.records(heap), ..Plan::default() };
+        let (cuts, soup) = self.cuts(&pieces);
+        let mut plan = Plan { records: self.records(heap), soup, ..Plan::default() };
         let mut slices = Slices { planner: self, cuts, records, open: None, tables: Vec::new() };
-        if !cuts.vertices {
+        if !cuts.vertices && !soup {
             plan.vertex = slices.vertices(0..self.batch.shaded_vec4);
         }
         for piece in pieces {

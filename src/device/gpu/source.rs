@@ -62,6 +62,8 @@ pub mod files {
     pub const ARITHMETIC: File = File { name: "arithmetic.wgsl", text: include_str!("../../../shaders/arithmetic.wgsl") };
     pub const FRONT: File = File { name: "front.wgsl", text: include_str!("../../../shaders/front.wgsl") };
     pub const VERTEX: File = File { name: "vertex.wgsl", text: include_str!("../../../shaders/vertex.wgsl") };
+    pub const SHADE: File = File { name: "shade.wgsl", text: include_str!("../../../shaders/shade.wgsl") };
+    pub const SHADED: File = File { name: "shaded.wgsl", text: include_str!("../../../shaders/shaded.wgsl") };
     pub const SCREEN: File = File { name: "screen.wgsl", text: include_str!("../../../shaders/screen.wgsl") };
     pub const PRIMITIVE: File = File { name: "primitive.wgsl", text: include_str!("../../../shaders/primitive.wgsl") };
     pub const CULL: File = File { name: "cull.wgsl", text: include_str!("../../../shaders/cull.wgsl") };

@@ -72,6 +72,8 @@ pub struct Offers {
     pub depth_bits: u32,
     /// The host has set up triangles with a polygon offset.
     pub offset: bool,
+    /// The vertex program, where no two triangles share a vertex: see `shaders/shaded.wgsl`.
+    pub soup: Option<u64>,
 }
 
 /// What the kernels of set-up contain.
@@ -97,8 +99,8 @@ impl Stage {
         matches!(self, Stage::Offsets | Stage::Scan | Stage::Active | Stage::Round | Stage::Clear(_) | Stage::Visible(Visible::End, ..))
     }
 
-    /// Its text.
-    pub fn source(self, shape: Shape, constants: &str) -> String {
+    /// Its text. `soup`: the vertex program, where the stage runs it.
+    pub fn source(self, shape: Shape, soup: Option<&Program>, constants: &str) -> String {
         let mut options = Options::default();
         shape_flags(&mut options, shape);
         let wide = shape.vectors();
@@ -180,6 +182,7 @@ impl Stage {
         options.flag("UNFILLED", features & front::UNFILLED != 0);
         options.flag("SMOOTH", features & front::SMOOTH != 0);
         options.flag("OFFSET", features & front::OFFSET != 0);
+        options.flag("SOUP", soup.is_some());
         options.flag("RUNS", !wide);
         let visible = matches!(self, Stage::Visible(..));
         let set_up = visible && shape.host_front;
@@ -204,6 +207,9 @@ impl Stage {
             }
         }
         expand(files::ARITHMETIC, &options, &mut source);
+        if parts.contains(&files::SCREEN) {
+            shaded(soup, &mut options, &mut source);
+        }
         for part in parts {
             // Points and lines are left out whole where nothing draws them.
             if *part != files::POINT_LINE || options.flags.contains("POINTS_AND_LINES") {
@@ -249,22 +255,36 @@ pub fn vertex_source(shape: Shape, program: &Program, constants: &str) -> String
     let mut options = Options::default();
     shape_flags(&mut options, shape);
     options.flag("VERTEX", true);
-    let mut fetch = String::new();
-    for slot in (0..16).filter(|s| program.attributes & 1 << s != 0) {
-        let _ = writeln!(fetch, "in.a{slot} = tp_attribute(record, {slot}u, vertex);");
-    }
-    let mut store = String::new();
-    for k in 0..program.outputs.len() {
-        let _ = writeln!(store, "tp_shaded[at + {}u] = out.o{k};", k + 1);
-    }
-    options.inserts.insert("FETCH", fetch);
-    options.inserts.insert("STORE", store);
     let lanes = shape.list_lanes.min(VERTEX_BLOCK);
     let mut source = format!("const TP_LANES = {lanes}u;\nconst TP_VERTEX_BLOCK = {VERTEX_BLOCK}u;\n{constants}");
     expand(files::FRONT, &options, &mut source);
     expand(files::ARITHMETIC, &options, &mut source);
-    source.push_str(&program.wgsl);
-    source.push('\n');
+    shade(program, &mut options, &mut source);
     expand(files::VERTEX, &options, &mut source);
     source
+}
+
+/// Appends a vertex program and what runs it.
+fn shade(program: &Program, options: &mut Options, source: &mut String) {
+    let (mut fetch, mut store, mut outputs) = (String::new(), String::new(), String::new());
+    for slot in (0..16).filter(|s| program.attributes & 1 << s != 0) {
+        let _ = writeln!(fetch, "in.a{slot} = tp_attribute(record, {slot}u, vertex);");
+    }
+    for k in 0..program.outputs.len() {
+        let _ = writeln!(store, "tp_shaded[at + {}u] = out.o{k};", k + 1);
+        let _ = writeln!(outputs, "case {}u: {{ value = out.o{k}; }}", k + 1);
+    }
+    options.inserts.extend([("FETCH", fetch), ("STORE", store), ("OUTPUTS", outputs)]);
+    source.push_str(&program.wgsl);
+    source.push('\n');
+    expand(files::SHADE, options, source);
+}
+
+/// Appends what reads shaded vertices, or shades them where they are wanted.
+pub fn shaded(soup: Option<&Program>, options: &mut Options, source: &mut String) {
+    if let Some(program) = soup {
+        let _ = writeln!(source, "const TP_SHADED_STRIDE = {}u;", program.outputs.len() + 1);
+        shade(program, options, source);
+    }
+    expand(files::SHADED, options, source);
 }

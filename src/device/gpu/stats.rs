@@ -86,10 +86,11 @@ pub fn print(batch: &Batch, plan: &Plan, host: Option<usize>, time: std::time::D
     for (_, action) in &plan.actions {
         let (key, way) = match action {
             Action::Draw(draw) => (&draw.key, String::from(if draw.is_direct() { "tiles alone" } else { "lists" })),
-            Action::Visible(visible) => match visible.bands.len() {
-                1 => (&visible.key, String::from("keys")),
-                n => (&visible.key, format!("keys in {n} bands of rows")),
-            },
+            Action::Visible(visible) => {
+                let bands = if visible.bands.len() > 1 { format!(" in {} bands of rows", visible.bands.len()) } else { String::new() };
+                let soup = if visible.soup { ", vertices where they are wanted" } else { "" };
+                (&visible.key, format!("keys{bands}{soup}"))
+            }
             Action::Front(front) => {
                 front_end |= front.features;
                 continue;

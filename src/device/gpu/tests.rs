@@ -206,7 +206,7 @@ fn all_ways() -> Vec<(&'static str, Result<GpuDevice, String>)> {
     let with = |change: fn(&mut Config)| {
         GpuDevice::with(|config| {
             config.shape.host_front = false;
-            (config.visible_from, config.direct_upto) = (u32::MAX, 0);
+            (config.visible_from, config.direct_upto, config.soup_from) = (u32::MAX, 0, u64::MAX);
             change(config);
         })
     };
@@ -255,6 +255,8 @@ fn all_ways() -> Vec<(&'static str, Result<GpuDevice, String>)> {
             }),
         ),
         ("keys in bands of rows", with(|c| (c.visible_from, c.budget) = (1, 250_000))),
+        ("keys, vertices where they are wanted", with(|c| (c.visible_from, c.soup_from) = (1, 0))),
+        ("keys in bands of rows, vertices where they are wanted", with(|c| (c.visible_from, c.soup_from, c.budget) = (1, 0, 150_000))),
         (
             "keys in bands of rows, 32 lanes",
             with(|c| {
@@ -327,6 +329,44 @@ fn triangles_of_all_sizes_agree_in_every_pixel() {
         let Ok(gpu) = gpu else { return };
         eprintln!("{way}");
         compare_with(&gpu, &builder.batch, size, FORMAT);
+    }
+}
+
+#[test]
+fn a_budget_bounds_what_lies_between_the_input_and_the_pixels() {
+    let size = [300, 200];
+    let mut random = Random(5);
+    let depth = fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE;
+    let inside = |mut v: [f32; 8]| {
+        // Nothing is clipped: what clipping makes comes on top.
+        v[..3].iter_mut().for_each(|x| *x = x.clamp(-0.95, 0.95));
+        v
+    };
+    let vertices: Vec<_> = soup(&mut random, 600, 0.2, false).into_iter().map(inside).collect();
+    let gpu = GpuDevice::with(|config| {
+        on_gpu(config, 32);
+        (config.shape.host_front, config.visible_from) = (false, 1);
+    });
+    let Ok(gpu) = gpu else { return };
+    for (flags, budgets) in [(depth, [150_000, 100_000]), (fragment_flags::BLEND, [80_000, 40_000])] {
+        let mut builder = Builder::new(size[0], size[1]);
+        builder.draw(topology::TRIANGLES, &vertices, 0, FragmentState { flags, ..fragment_state() });
+        let expected = run(&CpuDevice::new(), &builder.batch, size, FORMAT);
+        let draw = |budget: Option<u64>| {
+            let mut surface = gpu.gpu_surface(size[0], size[1], FORMAT).expect("a surface of a usual size");
+            budget.into_iter().for_each(|bytes| surface.set_budget(bytes));
+            surface.execute(builder.batch.clone());
+            let drawn = Drawn::of(&mut surface);
+            let input = ["uniforms", "vertices", "primitives"];
+            let between = surface.memory().iter().filter(|(name, _)| !input.contains(name)).map(|m| m.1).sum::<u64>();
+            (drawn, between)
+        };
+        let (_, unbounded) = draw(None);
+        for budget in budgets {
+            let (drawn, between) = draw(Some(budget));
+            assert!(between <= budget && budget < unbounded, "{between} bytes of {budget}, {unbounded} without a budget");
+            assert!(drawn.color == expected.color && drawn.depth_stencil == expected.depth_stencil, "another picture in {budget} bytes");
+        }
     }
 }
 

@@ -7,6 +7,7 @@ use super::glue::Planes;
 use super::params::FrontParams;
 use super::room::Room;
 use super::source::{expand, files};
+use super::stage::shaded;
 use crate::draw::Batch;
 use crate::program::Program;
 use crate::raster::layout::*;
@@ -32,6 +33,14 @@ pub const RESOLVE_LANES: u32 = 256;
 pub fn serves(key: &FineKey, program: &Program) -> bool {
     // A key has room for 24 bits of depth.
     key.is_opaque(program) && matches!(key.depth_func, Some(compare::LESS | compare::LEQUAL)) && key.depth_bits <= 24
+}
+
+/// Most expressions of a vertex program that runs for each pixel that is seen: a transform and some attributes that pass through.
+const SHORT: usize = 112;
+
+/// Whether running a vertex program again costs little more than reading what it wrote.
+pub fn is_short(program: &Program) -> bool {
+    program.module.functions.iter().map(|(_, f)| f.expressions.len()).sum::<usize>() <= SHORT
 }
 
 /// Whether a draw is of filled triangles.
@@ -124,7 +133,7 @@ pub fn params(room: &Room, primitives: std::ops::Range<u32>, base: FrontParams) 
 }
 
 /// The text of the kernel that shades what is visible.
-pub fn resolve_source(key: &FineKey, shape: Shape, program: &Program, constants: &str) -> String {
+pub fn resolve_source(key: &FineKey, shape: Shape, program: &Program, soup: Option<&Program>, constants: &str) -> String {
     // The depth is in the key.
     let depth = feature::DEPTH_TEST | feature::DEPTH_WRITE | feature::DEPTH_BUFFER;
     let without = FineKey { features: key.features & !depth, depth_func: None, ..key.clone() };
@@ -138,11 +147,17 @@ pub fn resolve_source(key: &FineKey, shape: Shape, program: &Program, constants:
     options.flag("VISIBLE", true);
     options.flag("INT64", true);
     options.flag("RESOLVE", true);
+    options.flag("SOUP", soup.is_some());
     options.flag("LEQUAL", is_lequal(key));
     let mut source = format!("const TP_LANES = {RESOLVE_LANES}u;\n{extra}{constants}");
-    let primitives: &[_] = if shape.host_front { &[] } else { &[files::SCREEN, files::PRIMITIVE, files::CORNER] };
-    for file in [files::COMMON, files::FRONT, files::VISIBLE, files::ARITHMETIC].iter().chain(primitives) {
-        expand(*file, &options, &mut source);
+    for file in [files::COMMON, files::FRONT, files::VISIBLE, files::ARITHMETIC] {
+        expand(file, &options, &mut source);
+    }
+    if !shape.host_front {
+        shaded(soup, &mut options, &mut source);
+        for file in [files::SCREEN, files::PRIMITIVE, files::CORNER] {
+            expand(file, &options, &mut source);
+        }
     }
     without.shading(&options, program, &mut source);
     expand(files::VISIBLE_RESOLVE, &options, &mut source);
@@ -152,10 +167,26 @@ pub fn resolve_source(key: &FineKey, shape: Shape, program: &Program, constants:
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::program::fixed::{self, LightingKey, TexCoordKey, VertexKey};
 
     fn triangle(columns: [u32; 2], rows: [u32; 2], reach: i32) -> Triangle {
         let packed = |v: [u32; 2]| v[0] | v[1] << 16;
         Triangle { x: [0, reach, 0], y: [0, 0, 256], columns: packed(columns), rows: packed(rows), ..Triangle::default() }
+    }
+
+    #[test]
+    fn programs_that_pass_attributes_through_are_short_and_lighting_is_not() {
+        let colored = VertexKey { color: true, ..VertexKey::default() };
+        let unit = TexCoordKey { used: true, ..TexCoordKey::default() };
+        let mut textured = colored;
+        textured.units[..2].fill(unit);
+        let lit =
+            VertexKey { lighting: LightingKey { enabled: true, lights: [1, 0, 0, 0, 0, 0, 0, 0], ..LightingKey::default() }, ..colored };
+        for (key, short) in [(colored, true), (textured, true), (lit, false)] {
+            let program = &fixed::vertex_program(&key).program;
+            let expressions: usize = program.module.functions.iter().map(|(_, f)| f.expressions.len()).sum();
+            assert_eq!(is_short(program), short, "{expressions} expressions");
+        }
     }
 
     #[test]
