@@ -16,7 +16,7 @@ pub struct Shape {
     pub subgroup8: bool,
     /// Workgroups of 32 lanes are one subgroup.
     pub subgroup32: bool,
-    /// There are integers of 64 bits, and they are faster than pairs of 32.
+    /// There are integers of 64 bits.
     pub int64: bool,
     /// The driver splits `fma`, and there are doubles to work it out with.
     pub fma64: bool,
@@ -178,7 +178,7 @@ fn open() -> Result<Gpu, String> {
         list_lanes: LIST_LANES,
         subgroup8,
         subgroup32: features.contains(wgpu::Features::SUBGROUP) && info.subgroup_min_size == 32 && info.subgroup_max_size == 32,
-        int64: !cpu && features.contains(wgpu::Features::SHADER_INT64),
+        int64: features.contains(wgpu::Features::SHADER_INT64),
         // Every GPU fuses; Mesa's software driver does not.
         fma64: cpu && features.contains(wgpu::Features::SHADER_F64),
         fuses: !cpu,

@@ -107,7 +107,10 @@ mod tests {
         // The last band may be lower; none is of a few rows.
         for bytes in (200_000..20_000_000).step_by(100_000) {
             let rows = key_rows(bytes, [1920, 1080]);
-            assert!(rows == 0 || rows == 1080 || (rows.is_multiple_of(8) && rows as u64 * 1920 * 8 <= bytes), "{rows} rows in {bytes} bytes");
+            assert!(
+                rows == 0 || rows == 1080 || (rows.is_multiple_of(8) && rows as u64 * 1920 * 8 <= bytes),
+                "{rows} rows in {bytes} bytes"
+            );
         }
     }
 

@@ -273,6 +273,14 @@ fn all_ways() -> Vec<(&'static str, Result<GpuDevice, String>)> {
             }),
         ),
         ("8 lanes, no subgroups", with(|c| c.shape.subgroup8 = false)),
+        ("no wide integers", with(|c| c.shape.int64 = false)),
+        (
+            "32 lanes, no wide integers",
+            with(|c| {
+                on_gpu(c, 32);
+                c.shape.int64 = false;
+            }),
+        ),
         ("32 triangles a round", with(|c| c.shape.round_blocks = 1)),
     ]
 }
