@@ -73,6 +73,8 @@ pub struct Config {
     pub buffer_limit: u64,
     /// Most bytes of all that lies between a batch's input and its pixels, as far as cutting it helps.
     pub budget: u64,
+    /// Most bytes of the texels that a batch samples, if the device binds as many: what has more is the CPU executor's.
+    pub texel_limit: u64,
     /// Most bytes of a plane of the widest format: larger surfaces are the CPU executor's.
     pub plane_limit: u64,
     /// Triangles from which on a segment is drawn by keys, where its state and the device allow it.
@@ -209,6 +211,7 @@ fn open() -> Result<Gpu, String> {
         buffer_limit,
         budget: std::env::var("TEPUI_GPU_BUDGET").ok().and_then(|v| v.parse().ok()).unwrap_or(BUDGET),
         plane_limit,
+        texel_limit: u64::MAX,
         visible_from: visible::WORTH_IT,
         visible_pixels: visible::WORTH_IT_PIXELS,
         visible_area: visible::WORTH_IT_AREA,

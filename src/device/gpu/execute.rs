@@ -181,10 +181,15 @@ impl Executor {
         (self.size, self.format) = (size, format);
     }
 
-    /// Runs a batch, after what is left of the one before.
-    pub fn execute(&mut self, batch: Batch) {
+    /// Runs a batch, after what is left of the one before. Returns one whose textures the device does not hold.
+    pub fn execute(&mut self, batch: Batch) -> Result<(), Batch> {
         self.settle();
+        let Gpu { device, queue, .. } = self.gpu;
+        if !self.heap.prepare(device, queue, &batch.textures, self.kernels.config.texel_limit) {
+            return Err(batch);
+        }
         self.run(batch);
+        Ok(())
     }
 
     /// Waits until all that was executed is drawn, batches that did not fit included.
@@ -414,7 +419,6 @@ impl Executor {
     /// Uploads a batch and decides what to dispatch.
     fn prepare(&mut self, batch: &Batch) -> Prepared {
         let Gpu { device, queue, .. } = self.gpu;
-        self.heap.prepare(device, queue, &batch.textures);
         self.buffers.uniforms.upload(device, queue, cast_slice(&batch.uniforms));
         // The stipple counter runs from line to line, which the kernels' front end cannot follow.
         let prepared = if self.kernels.config.shape.host_front || runs::stippled(batch) {
@@ -495,7 +499,9 @@ impl Executor {
     /// named "end", for all of them, where `stages` is false. Empty where the device has no time stamps.
     pub fn timed(&mut self, batch: &Batch, frames: usize, stages: bool) -> Vec<Vec<StageTime>> {
         // Once as always: buffers find their sizes, pipelines are built.
-        self.execute(batch.clone());
+        if self.execute(batch.clone()).is_err() {
+            return Vec::new();
+        }
         self.settle();
         let prepared = self.prepare(batch);
         let mut times = Vec::new();

@@ -27,7 +27,7 @@ mod tests;
 mod texture;
 mod visible;
 
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Once, OnceLock};
 
 use super::cpu::CpuDevice;
 use super::{Device, PlaneFormat, SharedPlane, Surface, SurfaceFormat, Target};
@@ -43,7 +43,13 @@ const WIDEST_PIXEL: u64 = 16;
 pub struct GpuDevice {
     gpu: &'static adapter::Gpu,
     kernels: Arc<Kernels>,
-    cpu: OnceLock<CpuDevice>,
+}
+
+/// What draws what a GPU does not hold. Says so once for each reason.
+fn cpu(reason: &Once, what: std::fmt::Arguments) -> &'static CpuDevice {
+    static CPU: OnceLock<CpuDevice> = OnceLock::new();
+    reason.call_once(|| log::warn!(target: "tepui::gpu", "{what}; the CPU draws it"));
+    CPU.get_or_init(CpuDevice::new)
 }
 
 /// Whether the machine has a real GPU that Vulkan reaches. Next to free where it has none.
@@ -62,7 +68,7 @@ impl GpuDevice {
         let gpu = adapter::gpu()?;
         let mut config = gpu.config;
         change(&mut config);
-        Ok(GpuDevice { gpu, kernels: Arc::new(Kernels::new(gpu, config)), cpu: OnceLock::new() })
+        Ok(GpuDevice { gpu, kernels: Arc::new(Kernels::new(gpu, config)) })
     }
 
     /// A surface with the GPU's own methods; an error where it is too large for the GPU.
@@ -79,12 +85,10 @@ impl GpuDevice {
         pixels.saturating_mul(samples as u64 * WIDEST_PIXEL) <= self.kernels.config.plane_limit
     }
 
-    /// What draws what the GPU does not hold.
+    /// What draws surfaces that the GPU does not hold.
     fn cpu(&self) -> &CpuDevice {
-        self.cpu.get_or_init(|| {
-            log::warn!(target: "tepui::gpu", "a surface is too large for {}; it is drawn by the CPU", self.gpu.info.name);
-            CpuDevice::new()
-        })
+        static REASON: Once = Once::new();
+        cpu(&REASON, format_args!("a surface is too large for {}", self.gpu.info.name))
     }
 }
 

@@ -1,7 +1,7 @@
 //! A surface whose planes live on the GPU.
 
 use std::any::Any;
-use std::sync::Arc;
+use std::sync::{Arc, Once};
 
 use bytemuck::cast_slice;
 use rayon::prelude::*;
@@ -12,7 +12,7 @@ use super::execute::{Buffers, Executor};
 use super::kernels::Kernels;
 use super::profile::StageTime;
 use crate::device::plane::{self, Resolved, Storage};
-use crate::device::{Plane, PlaneFormat, SharedPlane, Surface, Target, lines};
+use crate::device::{Device, Plane, PlaneFormat, SharedPlane, Surface, Target, lines};
 use crate::draw::Batch;
 use crate::draw::clears::complete_stencil;
 
@@ -142,6 +142,29 @@ impl GpuSurface {
         true
     }
 
+    /// The CPU executor draws a batch, on copies of the planes.
+    fn execute_on_cpu(&mut self, batch: Batch) {
+        static REASON: Once = Once::new();
+        let cpu = super::cpu(&REASON, format_args!("the textures of a batch are too large for {}", self.gpu.info.name));
+        let copied = |plane: &SharedPlane| {
+            let mut from = plane::lock(plane);
+            let to = cpu.plane(from.size, from.samples, from.format);
+            plane::lock(&to).rows_mut().copy_from_slice(from.rows());
+            to
+        };
+        let Target { color, depth, .. } = &self.target;
+        let target = Target { color: copied(color), depth: depth.as_ref().map(copied), ..self.target };
+        let (new_color, new_depth) = (target.color.clone(), target.depth.clone());
+        let mut surface = cpu.surface_on(target);
+        surface.execute(batch);
+        surface.settle();
+        for (from, to) in [Some(new_color), new_depth].iter().zip([Some(color), depth.as_ref()]) {
+            if let (Some(from), Some(to)) = (from, to) {
+                plane::lock(to).rows_mut().copy_from_slice(plane::lock(from).rows());
+            }
+        }
+    }
+
     /// Draws a batch again and again and measures it: see [`Executor::timed`].
     pub fn timed(&mut self, batch: &Batch, frames: usize, stages: bool) -> Vec<Vec<StageTime>> {
         let mut batch = batch.clone();
@@ -173,8 +196,10 @@ impl Surface for GpuSurface {
     fn execute(&mut self, mut batch: Batch) {
         // What is left of the last batch comes before changes from the host.
         self.executor.settle();
-        if self.bind_for(&mut batch) {
-            self.executor.execute(batch);
+        if self.bind_for(&mut batch)
+            && let Err(batch) = self.executor.execute(batch)
+        {
+            self.execute_on_cpu(batch);
         }
     }
 

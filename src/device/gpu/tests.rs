@@ -655,6 +655,47 @@ fn every_wrap_mode_and_filter_samples_the_same_texels() {
 }
 
 #[test]
+fn batches_whose_textures_are_too_large_are_drawn_all_the_same() {
+    let size = [120, 90];
+    let mut random = Random(17);
+    let gpu = GpuDevice::with(|config| {
+        on_gpu(config, 32);
+        config.texel_limit = 300;
+    });
+    let Ok(gpu) = gpu else { return };
+    let (mut surface, mut expected) =
+        (gpu.gpu_surface(size[0], size[1], FORMAT).expect("a surface of a usual size"), CpuDevice::new().surface(size[0], size[1], FORMAT));
+    // Now the GPU holds them, now it does not: each batch draws on what the one before left.
+    for (k, side) in [4u32, 16, 8, 32].into_iter().enumerate() {
+        let texels = (0..side * side).map(|_| random.below(1 << 24) | random.below(256) << 24).collect();
+        let level = TextureLevel { width: side, height: side, depth: 1, texels: Arc::new(texels) };
+        let (kind, format) = (TextureKind::D2, TexelFormat::Rgba8);
+        let image = Arc::new(TextureImage { id: 2_000_000 + k as u64, kind, format, levels: vec![level] });
+        let sampler = Sampler {
+            wrap: [Wrap::Repeat; 3],
+            mag_linear: false,
+            min_linear: false,
+            mip_linear: None,
+            lod_range: [-1000.0, 1000.0],
+            lod_bias: 0.0,
+            border: [0.0; 4],
+        };
+        let mut builder = Builder::new(size[0], size[1]);
+        builder.programs.1 = textured();
+        builder.batch.textures.push(TextureBinding { image, sampler });
+        if k > 0 {
+            builder.batch.steps.clear();
+        }
+        let flags = fragment_flags::BLEND | fragment_flags::DEPTH_TEST | fragment_flags::DEPTH_WRITE;
+        builder.draw(topology::TRIANGLES, &soup(&mut random, 20, 0.8, true), 0, FragmentState { flags, ..fragment_state() });
+        surface.execute(builder.batch.clone());
+        expected.execute(builder.batch);
+        let [drawn, expected] = [Drawn::of(&mut surface), Drawn::of(&mut *expected)];
+        assert!(drawn.color == expected.color && drawn.depth_stencil == expected.depth_stencil, "a texture of {side} x {side}");
+    }
+}
+
+#[test]
 fn floating_point_depths_have_the_same_bits_on_both_executors() {
     let size = [150, 110];
     let mut random = Random(29);

@@ -267,8 +267,17 @@ impl Heap {
         if self.pairs() { words.next_multiple_of(PAIR_ROW * 2) } else { words }
     }
 
-    /// Uploads the images of these bindings that are not there yet.
-    pub fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, bindings: &[TextureBinding]) {
+    /// Most bytes that the device binds.
+    fn most_bytes(&self, device: &wgpu::Device) -> u64 {
+        let limits = device.limits();
+        match self.texels {
+            Texels::Buffer(_) => limits.max_storage_buffer_binding_size,
+            Texels::Pairs(_) => limits.max_texture_dimension_2d as u64 * PAIR_ROW as u64 * 8,
+        }
+    }
+
+    /// Uploads the images of these bindings that are not there yet. False: they take more than the device binds, or than `limit` bytes.
+    pub fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, bindings: &[TextureBinding], limit: u64) -> bool {
         let mut missing: Vec<&TextureImage> = Vec::new();
         for b in bindings {
             if !self.offsets.contains_key(&b.image.id) && !missing.iter().any(|m| m.id == b.image.id) {
@@ -276,7 +285,7 @@ impl Heap {
             }
         }
         if missing.is_empty() {
-            return;
+            return true;
         }
         let more: u64 = missing.iter().map(|i| self.words(i) as u64).sum();
         if self.used as u64 + more > self.capacity() {
@@ -290,6 +299,9 @@ impl Heap {
                 }
             }
             let all: u64 = missing.iter().map(|i| self.words(i) as u64).sum();
+            if all * 4 > limit.min(self.most_bytes(device)) {
+                return false;
+            }
             self.reserve(device, all);
         }
         for image in missing {
@@ -318,6 +330,7 @@ impl Heap {
             }
             self.used += self.words(image);
         }
+        true
     }
 
     /// Appends the bindings' records.
