@@ -29,6 +29,8 @@ pub struct Wanted {
     pub slices: bool,
     /// Segments of few triangles may do without lists.
     pub direct: bool,
+    /// Triangles that follow each other have vertices that lie near each other: where they do not, a slice would want most of them.
+    pub coherent: bool,
 }
 
 /// How a batch is cut.
@@ -50,9 +52,13 @@ impl Cuts {
         let left = available.saturating_sub(wanted.shaded);
         let share = if wanted.slices { left / 2 } else { left };
         let key_rows = wanted.queue.map_or(0, |queue| key_rows(share.saturating_sub(queue), wanted.size));
-        let vertices = key_rows == 0 && wanted.shaded > available / 2;
+        let crowded = key_rows == 0 && wanted.shaded > available / 2;
+        let vertices = crowded && wanted.coherent;
         let share = if vertices {
             available
+        } else if crowded {
+            // All vertices at once: more than there is, but few slices.
+            available / 2
         } else if key_rows > 0 {
             share
         } else {
@@ -88,7 +94,8 @@ fn key_rows(bytes: u64, [columns, rows]: [u32; 2]) -> u32 {
 mod tests {
     use super::*;
 
-    const HD: Wanted = Wanted { size: [1920, 1080], bins: 510, shaded: 9_600_000, queue: Some(1_000_000), slices: false, direct: true };
+    const HD: Wanted =
+        Wanted { size: [1920, 1080], bins: 510, shaded: 9_600_000, queue: Some(1_000_000), slices: false, direct: true, coherent: true };
 
     #[test]
     fn a_batch_is_whole_where_there_is_room() {
@@ -120,6 +127,8 @@ mod tests {
         let cuts = Cuts::new(35_000, small);
         assert_eq!((cuts.key_rows, cuts.vertices, cuts.direct_only), (0, true, true));
         assert!(cuts.slice_bytes < 35_000);
+        let scattered = Cuts::new(35_000, Wanted { coherent: false, ..small });
+        assert_eq!((scattered.vertices, scattered.slice_bytes), (false, 35_000 / 2 / 4 * 3));
         let cuts = Cuts::new(35_000, Wanted { direct: false, ..small });
         assert_eq!((cuts.direct_only, cuts.slice_bytes), (false, LEAST_SLICE_BYTES));
     }

@@ -1,6 +1,8 @@
 //! The plan of a batch that kernels set up: runs of primitives that one fine kernel can serve go by keys, or in slices that fit the buffers,
 //! cut into segments that fit the lists.
 
+use std::ops::Range;
+
 use super::budget::{Cuts, Wanted};
 use super::clears::{absorb_clears, clear_params};
 use super::encode::{Action, FrontAction, Place, Plan, Planner, front_base};
@@ -90,6 +92,7 @@ impl Planner<'_> {
             queue: runs().filter(|run| self.goes_by_keys(run)).map(queue).max(),
             slices: runs().any(|run| !self.goes_by_keys(run)),
             direct: self.shape.vectors() && self.direct_upto > 0,
+            coherent: true,
         };
         let whole = Cuts::new(self.room.available, wanted);
         // Worth it where vertices are many for the pixels that are shaded, or where their room would cost cuts.
@@ -101,7 +104,27 @@ impl Planner<'_> {
                 return (cuts, true);
             }
         }
+        if whole.vertices && self.count_slices(&whole) > self.count_slices(&Cuts { vertices: false, ..whole }) * 4 + 16 {
+            return (Cuts::new(self.room.available, Wanted { coherent: false, ..wanted }), false);
+        }
         (whole, false)
+    }
+
+    /// Into how many slices the batch is cut, segments left aside.
+    fn count_slices(&self, cuts: &Cuts) -> usize {
+        let (mut count, mut slice) = (1, Slice::new(self.shape, 0));
+        for draw in 0..self.batch.draws.len() {
+            let Range { start: mut at, end } = self.batch.draw_primitives(draw);
+            while at < end {
+                let fits = slice.fits(self.room, cuts, self.batch, draw, at..end);
+                if fits == 0 {
+                    (count, slice) = (count + 1, Slice::new(self.shape, 0));
+                }
+                slice.add(cuts, self.batch, draw, at..at + fits);
+                at += fits;
+            }
+        }
+        count
     }
 
     /// The plan of a batch that kernels set up, and the tables that go behind the front end's records.
@@ -147,7 +170,7 @@ struct Run {
     step: usize,
     first_draw: usize,
     segment: Segment,
-    primitives: std::ops::Range<u32>,
+    primitives: Range<u32>,
     /// All of them are filled triangles.
     filled: bool,
 }
@@ -165,7 +188,7 @@ struct Slices<'a> {
 
 impl Slices<'_> {
     /// What kernels of the front end know of the surface, the records, and the shaded vertices that are there; the pool is behind them.
-    fn front_base(&self, shaded: std::ops::Range<u32>) -> FrontParams {
+    fn front_base(&self, shaded: Range<u32>) -> FrontParams {
         let count = shaded.end - shaded.start;
         FrontParams {
             state_base: self.records.state_base,
@@ -177,7 +200,7 @@ impl Slices<'_> {
     }
 
     /// Dispatches of the vertex stage for shaded vertices in a range of vec4: a draw that runs the program, and parameters.
-    fn vertices(&mut self, shaded: std::ops::Range<u32>) -> Vec<(usize, FrontParams)> {
+    fn vertices(&mut self, shaded: Range<u32>) -> Vec<(usize, FrontParams)> {
         let base = self.front_base(shaded.clone());
         let programs = vertex_blocks(self.planner.batch, shaded);
         let dispatch = |(draw, blocks): (usize, Vec<[u32; 2]>)| {
