@@ -182,14 +182,14 @@ impl Executor {
     }
 
     /// Runs a batch, after what is left of the one before. Returns one whose textures the device does not hold.
-    pub fn execute(&mut self, batch: Batch) -> Result<(), Batch> {
+    pub fn execute(&mut self, batch: Batch) -> Option<Batch> {
         self.settle();
         let Gpu { device, queue, .. } = self.gpu;
         if !self.heap.prepare(device, queue, &batch.textures, self.kernels.config.texel_limit) {
-            return Err(batch);
+            return Some(batch);
         }
         self.run(batch);
-        Ok(())
+        None
     }
 
     /// Waits until all that was executed is drawn, batches that did not fit included.
@@ -499,7 +499,7 @@ impl Executor {
     /// named "end", for all of them, where `stages` is false. Empty where the device has no time stamps.
     pub fn timed(&mut self, batch: &Batch, frames: usize, stages: bool) -> Vec<Vec<StageTime>> {
         // Once as always: buffers find their sizes, pipelines are built.
-        if self.execute(batch.clone()).is_err() {
+        if self.execute(batch.clone()).is_some() {
             return Vec::new();
         }
         self.settle();

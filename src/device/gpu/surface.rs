@@ -197,7 +197,7 @@ impl Surface for GpuSurface {
         // What is left of the last batch comes before changes from the host.
         self.executor.settle();
         if self.bind_for(&mut batch)
-            && let Err(batch) = self.executor.execute(batch)
+            && let Some(batch) = self.executor.execute(batch)
         {
             self.execute_on_cpu(batch);
         }
