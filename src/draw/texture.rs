@@ -80,6 +80,19 @@ pub struct Sampler {
     pub border: [f32; 4],
 }
 
+impl Sampler {
+    /// The nearest texel of the base level, that at the edge beyond it.
+    pub const NEAREST: Sampler = Sampler {
+        wrap: [Wrap::ClampToEdge; 3],
+        mag_linear: false,
+        min_linear: false,
+        mip_linear: None,
+        lod_range: [-1000.0, 1000.0],
+        lod_bias: 0.0,
+        border: [0.0; 4],
+    };
+}
+
 /// A texture and how it is sampled.
 #[derive(Clone, Debug)]
 pub struct TextureBinding {

@@ -9,7 +9,7 @@ use super::pixel_rectangle::Placed;
 use super::texture_object::unique_image_id;
 use crate::draw::assembly::{Decomposition, Part, PrimitiveType};
 use crate::draw::recorder::Run;
-use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel, Wrap};
+use crate::draw::texture::{Sampler, TexelFormat, TextureBinding, TextureImage, TextureKind, TextureLevel};
 use crate::program::fixed::IMAGE_COORDINATES;
 use crate::raster::layout::ATTRIBUTES;
 
@@ -31,16 +31,7 @@ fn image_binding(size: [usize; 2], groups: Groups) -> Option<TextureBinding> {
     let [width, height] = size.map(|n| n as u32);
     let level = TextureLevel { width, height, depth: 1, texels: Arc::new(texels) };
     let image = Arc::new(TextureImage { id: unique_image_id(), kind: TextureKind::D2, format, levels: vec![level] });
-    let sampler = Sampler {
-        wrap: [Wrap::ClampToEdge; 3],
-        mag_linear: false,
-        min_linear: false,
-        mip_linear: None,
-        lod_range: [-1000.0, 1000.0],
-        lod_bias: 0.0,
-        border: [0.0; 4],
-    };
-    Some(TextureBinding { image, sampler })
+    Some(TextureBinding { image, sampler: Sampler::NEAREST })
 }
 
 /// Fragments of one colour and depth.

@@ -388,15 +388,7 @@ mod tests {
             })
             .collect();
         let image = Arc::new(TextureImage { id: 1, kind, format: TexelFormat::Rgba8, levels });
-        let sampler = Sampler {
-            wrap: [wrap; 3],
-            mag_linear: false,
-            min_linear: false,
-            mip_linear: None,
-            lod_range: [-1000.0, 1000.0],
-            lod_bias: 0.0,
-            border: [0.25, 0.5, 0.75, 0.125],
-        };
+        let sampler = Sampler { wrap: [wrap; 3], border: [0.25, 0.5, 0.75, 0.125], ..Sampler::NEAREST };
         TextureBinding { image, sampler }
     }
 

@@ -53,8 +53,6 @@ pub struct FrontAction {
 pub struct VisibleAction {
     /// Parameters of the surface.
     pub params: Params,
-    /// No two triangles share a vertex: whoever wants one shades it.
-    pub soup: bool,
     /// Parameters of its primitives, for each band of rows that has keys in its turn.
     pub bands: Vec<FrontParams>,
     /// What shades it.
@@ -148,7 +146,7 @@ impl Plan {
         let front = visible::set_up(triangles, tiles, first, &mut self.queue, front_base(&params));
         self.key_rows = params.size[1];
         let draw = segment.draw;
-        self.push(place, Action::Visible(Box::new(VisibleAction { params, soup: false, bands: vec![front], key: segment.finish(), draw })));
+        self.push(place, Action::Visible(Box::new(VisibleAction { params, bands: vec![front], key: segment.finish(), draw })));
     }
 
     /// A segment by keys, in bands of rows. It takes so many words of the queue.
@@ -161,8 +159,13 @@ impl Plan {
         let bands =
             (0..all).step_by(rows as usize).map(|row| FrontParams { first_row: row, end_row: all.min(row + rows), ..front }).collect();
         let draw = segment.draw;
-        self.push(place, Action::Visible(Box::new(VisibleAction { params, soup: self.soup, bands, key: segment.finish(), draw })));
+        self.push(place, Action::Visible(Box::new(VisibleAction { params, bands, key: segment.finish(), draw })));
     }
+}
+
+/// Bins of a surface.
+pub fn bins_of(size: [u32; 2]) -> u32 {
+    size.map(|s| s.div_ceil(BIN_SIZE)).iter().product()
 }
 
 /// What kernels of the front end know of the surface.
@@ -219,11 +222,6 @@ impl Planner<'_> {
     /// Whether a segment of so many triangles is one for keys, if its state is.
     pub fn keys_from(&self, triangles: usize) -> bool {
         self.shape.keys64 && self.format.samples == 1 && triangles as u64 >= self.visible_from as u64
-    }
-
-    /// Bins of the surface.
-    pub fn bins(&self) -> u32 {
-        self.size.map(|s| s.div_ceil(BIN_SIZE)).iter().product()
     }
 
     /// Parameters that all actions share.

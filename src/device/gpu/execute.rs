@@ -8,7 +8,7 @@ use super::adapter::Gpu;
 use super::budget::SMALL_BUFFERS;
 use super::buffers::{Growing, create};
 use super::clears::writes_whole;
-use super::encode::{Action, DrawAction, Place, Plan, Planner, VisibleAction, place_lists};
+use super::encode::{Action, DrawAction, Place, Plan, Planner, VisibleAction, bins_of, place_lists};
 use super::fill::fill;
 use super::fine::feature;
 use super::front::FrontRecords;
@@ -25,7 +25,6 @@ use super::texture::Heap;
 use super::visible;
 use crate::device::SurfaceFormat;
 use crate::draw::{Batch, Step, recycle};
-use crate::raster::layout::BIN_SIZE;
 use crate::raster::runs;
 
 /// Distance of two blocks of parameters, a multiple of every device's alignment.
@@ -554,11 +553,6 @@ fn next(params: &mut impl Iterator<Item = u32>) -> [u32; 1] {
     [params.next().unwrap_or_default()]
 }
 
-/// Bins of a surface.
-fn bins_of(size: [u32; 2]) -> u32 {
-    size.map(|s| s.div_ceil(BIN_SIZE)).iter().product()
-}
-
 /// The steps from a place on.
 fn rest(steps: &[Step], place: Place) -> Vec<Step> {
     let mut steps = steps[place.step..].to_vec();
@@ -648,7 +642,7 @@ impl Dispatcher<'_> {
                     for band in &action.bands {
                         let [band_params] = next(&mut params);
                         self.pass.set_bind_group(0, self.bound.visible.as_ref(), &[surface, band_params]);
-                        self.visible(batch, action, band);
+                        self.visible(batch, action, band, plan.soup);
                     }
                 }
             }
@@ -664,13 +658,13 @@ impl Dispatcher<'_> {
         }
     }
 
-    /// A band of rows of a segment by keys.
-    fn visible(&mut self, batch: &Batch, action: &VisibleAction, band: &FrontParams) {
+    /// A band of rows of a segment by keys. `soup`: see [`Plan::soup`].
+    fn visible(&mut self, batch: &Batch, action: &VisibleAction, band: &FrontParams, soup: bool) {
         let p = &action.params;
         let shape = self.kernels.config.shape;
         let offset = shape.host_front && action.key.features & feature::OFFSET != 0;
         let draw = &batch.draws[action.draw as usize];
-        let soup = action.soup.then_some(&*draw.vertex_program);
+        let soup = soup.then_some(&*draw.vertex_program);
         let (lequal, depth_bits) = (visible::is_lequal(&action.key), action.key.depth_bits);
         let offers = Offers { lequal, depth_bits, offset, soup: soup.map(|program| program.id) };
         let (gpu, kernels) = (self.gpu, self.kernels);

@@ -165,7 +165,7 @@ impl Slice {
     }
 
     /// Ends a segment, which may have so many blocks of 32 triangles.
-    pub fn segment(&mut self, primitives: std::ops::Range<u32>, blocks: u32) {
+    pub fn segment(&mut self, primitives: Range<u32>, blocks: u32) {
         let first = self.groups.len() as u32;
         let end = primitives.end;
         self.groups.extend(primitives.step_by(self.group_size as usize).map(|p| [p, self.group_size.min(end - p)]));

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::budget::{Cuts, Wanted};
 use super::clears::{absorb_clears, clear_params};
-use super::encode::{Action, FrontAction, Place, Plan, Planner, front_base};
+use super::encode::{Action, FrontAction, Place, Plan, Planner, bins_of, front_base};
 use super::fine::feature;
 use super::front::{FrontRecords, Slice, vertex_blocks};
 use super::params::{FrontParams, Params, SEGMENT_WORDS};
@@ -87,7 +87,7 @@ impl Planner<'_> {
         };
         let wanted = Wanted {
             size: self.size,
-            bins: self.bins(),
+            bins: bins_of(self.size),
             shaded: self.batch.shaded_vec4 as u64 * 16,
             queue: runs().filter(|run| self.goes_by_keys(run)).map(queue).max(),
             slices: runs().any(|run| !self.goes_by_keys(run)),
@@ -215,7 +215,7 @@ impl Slices<'_> {
         let Planner { batch, room, direct_upto, .. } = *self.planner;
         let cuts = self.cuts;
         let base = self.planner.base();
-        let bins = self.planner.bins();
+        let bins = bins_of(self.planner.size);
         let most = if cuts.direct_only { direct_upto } else { room.segment_triangles(bins) };
         let (mut at, mut draw) = (run.primitives.start, run.first_draw);
         while at < run.primitives.end {
@@ -268,8 +268,8 @@ impl Slices<'_> {
         if let Some((action, slice)) = self.open.take() {
             let shaded = if self.cuts.vertices { slice.shaded.clone() } else { 0..self.planner.batch.shaded_vec4 };
             let vertex = if self.cuts.vertices { self.vertices(shaded.clone()) } else { Vec::new() };
-            let Params { bins, .. } = self.planner.base();
-            let base = FrontParams { action: action as u32, bins: bins[0] * bins[1], bin_rows: bins[1], ..self.front_base(shaded) };
+            let [columns, rows] = self.planner.base().bins;
+            let base = FrontParams { action: action as u32, bins: columns * rows, bin_rows: rows, ..self.front_base(shaded) };
             let params = slice.finish(self.planner.room, base, &mut self.tables, self.records.words.len() as u32);
             plan.actions[action].1 = Action::Front(Box::new(FrontAction { params, features: slice.features, vertex }));
         }

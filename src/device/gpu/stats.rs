@@ -88,7 +88,7 @@ pub fn print(batch: &Batch, plan: &Plan, host: Option<usize>, time: std::time::D
             Action::Draw(draw) => (&draw.key, String::from(if draw.is_direct() { "tiles alone" } else { "lists" })),
             Action::Visible(visible) => {
                 let bands = if visible.bands.len() > 1 { format!(" in {} bands of rows", visible.bands.len()) } else { String::new() };
-                let soup = if visible.soup { ", vertices where they are wanted" } else { "" };
+                let soup = if plan.soup { ", vertices where they are wanted" } else { "" };
                 (&visible.key, format!("keys{bands}{soup}"))
             }
             Action::Front(front) => {

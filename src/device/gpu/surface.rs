@@ -104,6 +104,11 @@ pub fn stats_level() -> u32 {
     *LEVEL.get_or_init(|| std::env::var("TEPUI_STATS").ok().and_then(|v| v.parse().ok()).unwrap_or(0))
 }
 
+/// Copies all samples from plane to plane of the same shape, whatever devices they are on.
+fn copy_rows(from: &SharedPlane, to: &SharedPlane) {
+    plane::lock(to).rows_mut().copy_from_slice(plane::lock(from).rows());
+}
+
 /// The buffer of a plane that is about to be drawn into.
 fn buffer(plane: &SharedPlane) -> Option<wgpu::Buffer> {
     plane::lock(plane).storage_mut::<GpuPlane>().map(|plane| plane.buffer.clone())
@@ -147,21 +152,22 @@ impl GpuSurface {
         static REASON: Once = Once::new();
         let cpu = super::cpu(&REASON, format_args!("the textures of a batch are too large for {}", self.gpu.info.name));
         let copied = |plane: &SharedPlane| {
-            let mut from = plane::lock(plane);
-            let to = cpu.plane(from.size, from.samples, from.format);
-            plane::lock(&to).rows_mut().copy_from_slice(from.rows());
-            to
+            let (size, samples, format) = {
+                let plane = plane::lock(plane);
+                (plane.size, plane.samples, plane.format)
+            };
+            let copy = cpu.plane(size, samples, format);
+            copy_rows(plane, &copy);
+            copy
         };
-        let Target { color, depth, .. } = &self.target;
-        let target = Target { color: copied(color), depth: depth.as_ref().map(copied), ..self.target };
-        let (new_color, new_depth) = (target.color.clone(), target.depth.clone());
-        let mut surface = cpu.surface_on(target);
+        let color = copied(&self.target.color);
+        let depth = self.target.depth.as_ref().map(copied);
+        let mut surface = cpu.surface_on(Target { color: color.clone(), depth: depth.clone(), ..self.target });
         surface.execute(batch);
         surface.settle();
-        for (from, to) in [Some(new_color), new_depth].iter().zip([Some(color), depth.as_ref()]) {
-            if let (Some(from), Some(to)) = (from, to) {
-                plane::lock(to).rows_mut().copy_from_slice(plane::lock(from).rows());
-            }
+        copy_rows(&color, &self.target.color);
+        if let (Some(from), Some(to)) = (&depth, &self.target.depth) {
+            copy_rows(from, to);
         }
     }
 

@@ -641,9 +641,8 @@ fn every_wrap_mode_and_filter_samples_the_same_texels() {
             mag_linear: random.below(2) == 1,
             min_linear: random.below(2) == 1,
             mip_linear: [None, Some(false), Some(true)][random.below(3) as usize],
-            lod_range: [-1000.0, 1000.0],
-            lod_bias: 0.0,
             border: [0.25, 0.5, 0.75, 0.125],
+            ..Sampler::NEAREST
         };
         let image = Arc::new(TextureImage { id: 1_000_000 + case, kind, format, levels });
         let mut builder = Builder::new(size[0], size[1]);
@@ -676,15 +675,7 @@ fn batches_whose_textures_are_too_large_are_drawn_all_the_same() {
         let level = TextureLevel { width: side, height: side, depth: 1, texels: Arc::new(texels) };
         let (kind, format) = (TextureKind::D2, TexelFormat::Rgba8);
         let image = Arc::new(TextureImage { id: 2_000_000 + k as u64, kind, format, levels: vec![level] });
-        let sampler = Sampler {
-            wrap: [Wrap::Repeat; 3],
-            mag_linear: false,
-            min_linear: false,
-            mip_linear: None,
-            lod_range: [-1000.0, 1000.0],
-            lod_bias: 0.0,
-            border: [0.0; 4],
-        };
+        let sampler = Sampler { wrap: [Wrap::Repeat; 3], ..Sampler::NEAREST };
         let mut builder = Builder::new(size[0], size[1]);
         builder.programs.1 = textured();
         builder.batch.textures.push(TextureBinding { image, sampler });

@@ -38,9 +38,14 @@ pub fn serves(key: &FineKey, program: &Program) -> bool {
 /// Most expressions of a vertex program that runs for each pixel that is seen: a transform and some attributes that pass through.
 const SHORT: usize = 112;
 
+/// Expressions of a program's text.
+fn length(program: &Program) -> usize {
+    program.module.functions.iter().map(|(_, f)| f.expressions.len()).sum()
+}
+
 /// Whether running a vertex program again costs little more than reading what it wrote.
 pub fn is_short(program: &Program) -> bool {
-    program.module.functions.iter().map(|(_, f)| f.expressions.len()).sum::<usize>() <= SHORT
+    length(program) <= SHORT
 }
 
 /// Whether a draw is of filled triangles.
@@ -184,8 +189,7 @@ mod tests {
             VertexKey { lighting: LightingKey { enabled: true, lights: [1, 0, 0, 0, 0, 0, 0, 0], ..LightingKey::default() }, ..colored };
         for (key, short) in [(colored, true), (textured, true), (lit, false)] {
             let program = &fixed::vertex_program(&key).program;
-            let expressions: usize = program.module.functions.iter().map(|(_, f)| f.expressions.len()).sum();
-            assert_eq!(is_short(program), short, "{expressions} expressions");
+            assert_eq!(is_short(program), short, "{} expressions", length(program));
         }
     }
 
